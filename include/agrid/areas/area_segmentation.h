@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "agrid/areas/area_map.h"
+#include "agrid/grid/a_grid.h"
+#include "agrid/map/occupancy_map.h"
+#include "agrid/tags/tag.h"
+#include "agrid/tags/tag_proposal.h"
+
+namespace agrid {
+
+/// Grows the areas from their seeds, closed against each other at the doors (paper, 3.2), and
+/// labels the cells of the grid.
+/// @param tags  area seeds and doors, given and proposed (see proposeTags); objects are passed over
+AreaMap segmentAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& tags,
+                     const AreaParams& params = {});
+
+}  // namespace agrid
