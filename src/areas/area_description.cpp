@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "areas/area_description.h"
+
+#include <algorithm>
+
+#include "areas/outline.h"
+#include "tags/free_space.h"
+
+namespace agrid {
+namespace {
+
+struct Measures {
+  cv::Rect box;
+  std::size_t size_px = 0;
+  Pixel anchor;
+  float clearance_px = 0;
+};
+
+std::vector<Measures> measure(const OccupancyMap& map, const AreaLabels& labels) {
+  const MapGeometry& geometry = map.geometry();
+  cv::Mat1b is_free(geometry.height, geometry.width);
+  std::transform(map.pixels().begin(), map.pixels().end(), is_free.begin(),
+                 [](Occupancy o) { return o == Occupancy::kFree ? 1 : 0; });
+  const cv::Mat1f distance = distanceFromWalls(is_free);
+  std::vector<Measures> measures(labels.tags.size());
+  for (int y = 0; y < geometry.height; ++y) {
+    for (int x = 0; x < geometry.width; ++x) {
+      const std::uint32_t label = labels.of_pixel[geometry.index({x, y})];
+      if (label == AreaLabels::kNone || is_free(y, x) == 0) continue;
+      Measures& m = measures[label];
+      m.box |= cv::Rect(x, y, 1, 1);
+      ++m.size_px;
+      if (distance(y, x) <= m.clearance_px) continue;
+      m.clearance_px = distance(y, x);
+      m.anchor = {x, y};
+    }
+  }
+  return measures;
+}
+
+Polygon outlineOf(std::uint32_t label, const cv::Rect& box, const OccupancyMap& map,
+                  const AreaLabels& labels) {
+  const MapGeometry& geometry = map.geometry();
+  cv::Mat1b shape(box.size());
+  for (int y = 0; y < box.height; ++y) {
+    for (int x = 0; x < box.width; ++x) {
+      const Pixel p{box.x + x, box.y + y};
+      shape(y, x) = labels.of_pixel[geometry.index(p)] == label ? 1 : 0;
+    }
+  }
+  Polygon outline = traceOutline(shape);
+  for (Point2& corner : outline) {
+    corner = geometry.map_from_image * ((corner + Point2(box.x, box.y)) * geometry.resolution);
+  }
+  return outline;
+}
+
+}  // namespace
+
+std::vector<Area> describeAreas(const OccupancyMap& map, const AreaLabels& labels) {
+  const MapGeometry& geometry = map.geometry();
+  const auto measures = measure(map, labels);
+  std::vector<Area> areas;
+  for (std::uint32_t i = 0; i < measures.size(); ++i) {
+    const AreaTag& tag = labels.tags[i];
+    const Measures& m = measures[i];
+    Area area;
+    area.id = tag.id;
+    area.name = tag.name;
+    area.category = tag.category;
+    area.anchor_map = geometry.center(m.anchor);
+    // from centre to centre; the wall begins half a pixel before
+    area.anchor_clearance = (static_cast<double>(m.clearance_px) - 0.5) * geometry.resolution;
+    area.outline_map = outlineOf(i, m.box, map, labels);
+    area.size = static_cast<double>(m.size_px) * geometry.resolution * geometry.resolution;
+    area.source = tag.source;
+    area.properties = tag.properties;
+    areas.push_back(std::move(area));
+  }
+  return areas;
+}
+
+}  // namespace agrid

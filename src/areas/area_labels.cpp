@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "areas/area_labels.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "areas/seeded_flood.h"
+#include "tags/persistence.h"
+#include "tags/pixel_neighbours.h"
+
+namespace agrid {
+namespace {
+
+constexpr std::uint32_t kNone = AreaLabels::kNone;
+constexpr std::size_t kMaxAreas = std::numeric_limits<std::uint16_t>::max();
+
+/// The area tags, those without an id given the lowest free ones, sorted by id.
+std::vector<AreaTag> numberTags(const std::vector<Tag>& tags) {
+  std::vector<AreaTag> areas;
+  std::set<AreaId> used{AreaId{0}};
+  for (const Tag& tag : tags) {
+    const auto* area = std::get_if<AreaTag>(&tag);
+    if (!area) continue;
+    if (area->id != AreaId{0} && !used.insert(area->id).second) {
+      throw std::invalid_argument("two area tags have the id " +
+                                  std::to_string(static_cast<std::uint32_t>(area->id)));
+    }
+    areas.push_back(*area);
+  }
+  std::uint32_t next = 1;
+  for (AreaTag& area : areas) {
+    if (area.id != AreaId{0}) continue;
+    while (used.count(AreaId{next}) > 0) ++next;
+    area.id = AreaId{next++};
+  }
+  std::sort(areas.begin(), areas.end(),
+            [](const AreaTag& a, const AreaTag& b) { return a.id < b.id; });
+  return areas;
+}
+
+/// Moves the tags whose seed can be used into `labels`; returns their seeds' pixels.
+std::vector<std::size_t> acceptSeeds(std::vector<AreaTag> tags, const Relief& relief,
+                                     const MapGeometry& geometry, AreaLabels& labels) {
+  std::vector<std::size_t> seeds;
+  std::set<std::size_t> taken;
+  for (AreaTag& tag : tags) {
+    const auto pixel = geometry.pixelAt(tag.seed_map);
+    const std::string label =
+        "area tag " + std::to_string(static_cast<std::uint32_t>(tag.id)) + " '" + tag.name + "'";
+    if (!pixel || relief.free_space(pixel->y, pixel->x) == 0) {
+      labels.warnings.push_back(label + " lies outside free space and is not used");
+    } else if (!taken.insert(geometry.index(*pixel)).second) {
+      labels.warnings.push_back(label + " has the seed of another area and is not used");
+    } else {
+      seeds.push_back(geometry.index(*pixel));
+      labels.tags.push_back(std::move(tag));
+    }
+  }
+  return seeds;
+}
+
+/// Gives each pixel of a barrier to the area that is nearest over the barriers' pixels.
+void openBarriers(const std::vector<Barrier>& barriers, const MapGeometry& geometry,
+                  std::vector<std::uint32_t>& labels) {
+  std::vector<std::size_t> open;
+  for (const Barrier& barrier : barriers) {
+    open.insert(open.end(), barrier.pixels.begin(), barrier.pixels.end());
+  }
+  std::vector<std::pair<std::size_t, std::uint32_t>> found;
+  do {
+    found.clear();
+    for (const std::size_t i : open) {
+      std::uint32_t label = labels[i];
+      for (const Pixel step : kNeighbours) {
+        const Pixel q = geometry.pixel(i) + step;
+        if (label == kNone && geometry.contains(q)) label = labels[geometry.index(q)];
+      }
+      if (labels[i] == kNone && label != kNone) found.emplace_back(i, label);
+    }
+    for (const auto& [i, label] : found) labels[i] = label;
+  } while (!found.empty());
+}
+
+/// Leaves out the areas without a free pixel and, beyond what a label can count, the smallest.
+void dropAreas(const OccupancyMap& map, AreaLabels& labels) {
+  const std::size_t count = labels.tags.size();
+  std::vector<std::size_t> sizes(count);
+  for (std::size_t i = 0; i < labels.of_pixel.size(); ++i) {
+    const std::uint32_t label = labels.of_pixel[i];
+    if (label != kNone && map.pixels()[i] == Occupancy::kFree) ++sizes[label];
+  }
+  std::vector<std::uint32_t> order(count);
+  for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return sizes[a] > sizes[b]; });
+  if (count > kMaxAreas) {
+    labels.warnings.push_back("of " + std::to_string(count) + " areas the " +
+                              std::to_string(count - kMaxAreas) + " smallest are left out");
+  }
+  while (!order.empty() && (order.size() > kMaxAreas || sizes[order.back()] == 0)) order.pop_back();
+  if (order.size() == count) return;
+
+  std::sort(order.begin(), order.end());
+  std::vector<std::uint32_t> new_label(count, kNone);
+  std::vector<AreaTag> kept;
+  for (const std::uint32_t old : order) {
+    new_label[old] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(std::move(labels.tags[old]));
+  }
+  labels.tags = std::move(kept);
+  for (std::uint32_t& label : labels.of_pixel) {
+    if (label != kNone) label = new_label[label];
+  }
+}
+
+void nameAreas(std::vector<AreaTag>& tags) {
+  std::set<std::string> used;
+  for (const AreaTag& tag : tags) used.insert(tag.name);
+  for (AreaTag& tag : tags) {
+    if (!tag.name.empty()) continue;
+    tag.name = "area_" + std::to_string(static_cast<std::uint32_t>(tag.id));
+    while (!used.insert(tag.name).second) tag.name += "_";
+  }
+}
+
+}  // namespace
+
+AreaLabels growAreas(const OccupancyMap& map, const Relief& relief, const std::vector<Tag>& tags,
+                     const AreaParams& params) {
+  AreaLabels labels;
+  const MapGeometry& geometry = map.geometry();
+  const auto seeds = acceptSeeds(numberTags(tags), relief, geometry, labels);
+  Basins basins = findBasins(relief.height);
+  const auto area_of = mergeByPersistence(basins, geometry.resolution, params);
+  labels.of_pixel = floodFromSeeds(std::move(basins), area_of, seeds, geometry.width);
+  openBarriers(relief.barriers, geometry, labels.of_pixel);
+  dropAreas(map, labels);
+  nameAreas(labels.tags);
+  return labels;
+}
+
+}  // namespace agrid

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "agrid/areas/area_segmentation.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <opencv2/core.hpp>
+
+#include "areas/area_description.h"
+#include "areas/area_labels.h"
+#include "areas/cell_labels.h"
+#include "areas/door_extraction.h"
+#include "tags/relief.h"
+
+namespace agrid {
+namespace {
+
+std::vector<std::uint16_t> labelsOnFreePixels(const OccupancyMap& map, const AreaLabels& labels) {
+  std::vector<std::uint16_t> result(map.pixels().size(), 0);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const std::uint32_t label = labels.of_pixel[i];
+    if (label == AreaLabels::kNone || map.pixels()[i] != Occupancy::kFree) continue;
+    result[i] = static_cast<std::uint16_t>(label + 1);
+  }
+  return result;
+}
+
+std::string whyThereAreNoAreas(const OccupancyMap& map, const Relief& relief) {
+  const auto& pixels = map.pixels();
+  if (std::count(pixels.begin(), pixels.end(), Occupancy::kFree) == 0) {
+    return "there are no areas: the map has no free pixel";
+  }
+  if (cv::countNonZero(relief.free_space) == 0) {
+    return "there are no areas: every free part of the map is smaller than min_island_size";
+  }
+  return "there are no areas: no area tag lies in free space";
+}
+
+}  // namespace
+
+AreaMap segmentAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& tags,
+                     const AreaParams& params) {
+  validate(params);
+  const Relief relief = makeRelief(map, tags, params);
+  const AreaLabels labels = growAreas(map, relief, tags, params);
+
+  AreaMap result;
+  result.warnings = relief.warnings;
+  result.warnings.insert(result.warnings.end(), labels.warnings.begin(), labels.warnings.end());
+  result.areas = describeAreas(map, labels);
+  if (result.areas.empty()) result.warnings.push_back(whyThereAreNoAreas(map, relief));
+  result.doors = findDoors(labels, relief, map.geometry(), params, result.warnings);
+  for (Door& door : result.doors) door.cells = cellsOnSegment(grid, door.jambs_map);
+  result.pixel_labels = labelsOnFreePixels(map, labels);
+  result.cell_areas = labelCells(grid, map.geometry(), result.pixel_labels, result.areas);
+  return result;
+}
+
+}  // namespace agrid

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "agrid/geometry/polygon.h"
+
+namespace agrid {
+
+/// The outer boundary of the largest 4-connected part of a shape, along the sides of its pixels,
+/// simplified to one pixel.
+/// @param shape  row-major, row 0 = smallest y; not 0 = part of the shape
+/// @return corners in pixels, counter-clockwise, pixel (x, y) covering [x, x + 1) x [y, y + 1);
+///         empty if the shape is
+Polygon traceOutline(const cv::Mat1b& shape);
+
+}  // namespace agrid

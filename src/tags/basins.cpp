@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tags/basins.h"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+#include "tags/pixel_neighbours.h"
+
+namespace agrid {
+namespace {
+
+constexpr std::uint8_t kPeak = 8;  ///< the pixel is the peak of its basin
+constexpr std::uint8_t kFlat = 9;  ///< no neighbour is higher; its plateau decides
+
+/// The relief with, for each pixel, which of its neighbours leads up.
+class Ascent {
+ public:
+  explicit Ascent(const cv::Mat1f& relief) : relief_(relief), up_(relief.total(), kFlat) {
+    takeSteepest();
+    crossPlateaus();
+  }
+
+  /// Calls f(neighbour's number, its index) for each neighbour inside the relief.
+  template <typename F>
+  void forEachNeighbour(std::size_t index, F f) const {
+    const auto columns = static_cast<std::size_t>(relief_.cols);
+    const Pixel p{static_cast<int>(index % columns), static_cast<int>(index / columns)};
+    for (std::uint8_t n = 0; n < kNeighbours.size(); ++n) {
+      const Pixel q = p + kNeighbours[n];
+      if (q.x < 0 || q.y < 0 || q.x >= relief_.cols || q.y >= relief_.rows) continue;
+      f(n, static_cast<std::size_t>(q.y) * columns + static_cast<std::size_t>(q.x));
+    }
+  }
+  float height(std::size_t index) const { return relief_.ptr<float>()[index]; }
+  bool isPeak(std::size_t index) const { return up_[index] == kPeak; }
+  std::size_t next(std::size_t index) const {
+    const Pixel step = kNeighbours[up_[index]];
+    return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(index) + step.x +
+                                    static_cast<std::ptrdiff_t>(step.y) * relief_.cols);
+  }
+  std::size_t size() const { return up_.size(); }
+
+ private:
+  void takeSteepest() {
+    for (std::size_t i = 0; i < size(); ++i) {
+      const float h = height(i);
+      if (h <= 0) continue;
+      float best = 0;
+      forEachNeighbour(i, [&](std::uint8_t n, std::size_t j) {
+        const float slope = (height(j) - h) * (n < 4 ? 1.F : 0.70710678F);
+        if (slope > best) {
+          best = slope;
+          up_[i] = n;
+        }
+      });
+    }
+  }
+
+  void crossPlateaus() {
+    std::vector<std::size_t> queue;
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (height(i) > 0 && up_[i] == kFlat && followEqual(i)) queue.push_back(i);
+    }
+    for (const std::size_t i : queue) up_[i] = static_cast<std::uint8_t>(up_[i] - kDeferred);
+    spread(queue);
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (height(i) <= 0 || up_[i] != kFlat) continue;
+      up_[i] = kPeak;
+      queue.assign(1, i);
+      spread(queue);
+    }
+  }
+
+  /// Marks a flat pixel at the rim of its plateau; the mark becomes a direction once all are found,
+  /// so that the order of the scan does not matter.
+  bool followEqual(std::size_t i) {
+    forEachNeighbour(i, [&](std::uint8_t n, std::size_t j) {
+      if (up_[i] == kFlat && height(j) == height(i) && up_[j] < kPeak) {
+        up_[i] = static_cast<std::uint8_t>(n + kDeferred);
+      }
+    });
+    return up_[i] != kFlat;
+  }
+
+  /// Lets the rest of each plateau follow the pixels in the queue, nearest first.
+  void spread(std::vector<std::size_t>& queue) {
+    for (std::size_t head = 0; head < queue.size(); ++head) {
+      const std::size_t i = queue[head];
+      forEachNeighbour(i, [&](std::uint8_t n, std::size_t j) {
+        if (up_[j] != kFlat || height(j) != height(i)) return;
+        up_[j] = static_cast<std::uint8_t>(n < 4 ? (n + 2) % 4 : 4 + (n - 2) % 4);
+        queue.push_back(j);
+      });
+    }
+  }
+
+  static constexpr std::uint8_t kDeferred = 16;
+  const cv::Mat1f& relief_;
+  std::vector<std::uint8_t> up_;
+};
+
+/// Follows each pixel up to its peak or to a pixel already known.
+void labelPixels(const Ascent& ascent, Basins& result) {
+  std::vector<std::size_t> path;
+  for (std::size_t start = 0; start < ascent.size(); ++start) {
+    if (ascent.height(start) <= 0) continue;
+    path.clear();
+    std::size_t i = start;
+    while (result.of_pixel[i] == Basins::kNone && !ascent.isPeak(i)) {
+      path.push_back(i);
+      i = ascent.next(i);
+    }
+    if (result.of_pixel[i] == Basins::kNone) {
+      result.of_pixel[i] = static_cast<std::uint32_t>(result.basins.size());
+      result.basins.push_back({i, ascent.height(i), 1});
+    }
+    const std::uint32_t basin = result.of_pixel[i];
+    for (const std::size_t j : path) result.of_pixel[j] = basin;
+    result.basins[basin].size_px += path.size();
+  }
+}
+
+void findSaddles(const Ascent& ascent, Basins& result) {
+  std::unordered_map<std::uint64_t, float> heights;
+  for (std::size_t i = 0; i < ascent.size(); ++i) {
+    const std::uint32_t a = result.of_pixel[i];
+    if (a == Basins::kNone) continue;
+    ascent.forEachNeighbour(i, [&](std::uint8_t, std::size_t j) {
+      const std::uint32_t b = result.of_pixel[j];
+      if (b == Basins::kNone || b <= a) return;
+      float& height = heights[std::uint64_t{a} << 32U | b];
+      height = std::max(height, std::min(ascent.height(i), ascent.height(j)));
+    });
+  }
+  result.saddles.reserve(heights.size());
+  for (const auto& [key, height] : heights) {
+    result.saddles.push_back({height, static_cast<std::uint32_t>(key >> 32U),
+                              static_cast<std::uint32_t>(key & 0xffffffffU)});
+  }
+  std::sort(result.saddles.begin(), result.saddles.end(), [](const Saddle& p, const Saddle& q) {
+    if (p.height != q.height) return p.height > q.height;
+    return p.a != q.a ? p.a < q.a : p.b < q.b;
+  });
+}
+
+}  // namespace
+
+Basins findBasins(const cv::Mat1f& relief) {
+  const Ascent ascent(relief);
+  Basins result;
+  result.of_pixel.assign(ascent.size(), Basins::kNone);
+  labelPixels(ascent, result);
+  findSaddles(ascent, result);
+  return result;
+}
+
+}  // namespace agrid
