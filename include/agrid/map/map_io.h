@@ -25,7 +25,10 @@ class FileError : public std::runtime_error {
 
 /// A map_server map as read from its files.
 struct LoadedMap {
+  /// What a subscriber of map_server's message gets: resolution in single precision, yaw from the
+  /// single-precision quaternion.
   OccupancyGrid grid;
+  float yaw = 0;  ///< the YAML's yaw [rad], of which map_server makes the message's quaternion
   std::vector<std::string> warnings;  ///< what was accepted but looks wrong
 };
 
@@ -40,5 +43,12 @@ struct MapFileParams {
 /// Palette and 1-bit images are read by their colours, where map_server takes the indices.
 /// @throws FileError
 LoadedMap loadMap(const std::string& yaml_path, const MapFileParams& params = {});
+
+/// Writes a map as map_saver does: `yaml_path` and, beside it and named like it, a PGM with free
+/// pixels (0..25) 254, occupied ones (65..100) 0, all others 205. Numbers are written so that
+/// loadMap gives them back (resolution and yaw in single precision, as in map_server's message).
+/// Each file appears whole or not at all; one that was there is replaced.
+/// @throws FileError if a file cannot be written, MapError if the size does not match the data
+void saveMap(const OccupancyGrid& grid, const std::string& yaml_path);
 
 }  // namespace agrid
