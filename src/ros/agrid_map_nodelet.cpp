@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/agrid_map_nodelet.h"
+
+#include <pluginlib/class_list_macros.hpp>
+
+namespace agrid_map_ros {
+
+AGridNodelet::~AGridNodelet() { cancelled_ = true; }
+
+void AGridNodelet::onInit() {
+  ros::NodeHandle& nh = getMTNodeHandle();
+  ros::NodeHandle& private_nh = getMTPrivateNodeHandle();
+  settings_ = std::make_unique<Settings>(private_nh.getNamespace(), log_);
+  const std::string error = settings_->reload();
+  listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, nh);
+  outputs_ = std::make_unique<Outputs>(private_nh);
+  builder_ = std::make_unique<MapBuilder>(
+      MapBuilder::Listeners{[this](const SnapshotPtr& snapshot) { outputs_->publish(*snapshot); },
+                            [this](const std::string& warning) { log_.warn("map", warning); },
+                            [this](const std::string& failure) { log_.error("map", failure); }});
+  if (error.empty()) builder_->setParameters(settings_->parameters());
+  services_ = std::make_unique<Services>(
+      private_nh, Services::Deps{*settings_, *builder_, *outputs_, log_, transforms_, cancelled_});
+  const auto parameters = settings_->parameters();
+  area_watch_ =
+      std::make_unique<AreaWatch>(private_nh, AreaWatch::Deps{*builder_, transforms_, cancelled_},
+                                  (parameters ? *parameters : Parameters{}).node.area_period);
+  diagnostics_ =
+      std::make_unique<Diagnostics>(private_nh, Diagnostics::Deps{*settings_, *builder_, log_});
+  intake_ = std::make_unique<MapIntake>(nh, MapIntake::Deps{*settings_, *builder_, log_});
+}
+
+}  // namespace agrid_map_ros
+
+PLUGINLIB_EXPORT_CLASS(agrid_map_ros::AGridNodelet, nodelet::Nodelet)

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/parameter_table.h"
+
+namespace agrid_map_ros {
+namespace {
+
+using Table = std::vector<ParameterEntry>;
+
+void addMap(Table& table, agrid::MapParams& p) {
+  table.push_back({"free_max", IntegerField{&p.free_max, 0, 99}});
+  table.push_back({"occupied_min", IntegerField{&p.occupied_min, 1, 100}});
+  table.push_back({"max_pixels", NumberField{&p.max_pixels, 1, 4e9}});
+  table.push_back({"strict_values", FlagField{&p.strict_values}});
+}
+
+void addWalls(Table& table, agrid::WallParams& p) {
+  table.push_back({"canny_low", NumberField{&p.canny_low, 0, 1e4}});
+  table.push_back({"canny_high", NumberField{&p.canny_high, 0, 1e4}});
+  table.push_back({"max_threshold", IntegerField{&p.max_threshold_votes, 1, 1000000}});
+  table.push_back({"min_threshold", IntegerField{&p.min_threshold_votes, 1, 1000000}});
+  table.push_back({"threshold_step", IntegerField{&p.threshold_step_votes, 1, 1000000}});
+  table.push_back({"min_line_distance", NumberField{&p.min_line_distance_px, 1, 1000}});
+  table.push_back({"distance_resolution", NumberField{&p.distance_resolution_px, 0.5, 100}});
+  table.push_back({"estimate_direction", FlagField{&p.estimate_direction}});
+  table.push_back({"direction", NumberField{&p.direction_deg, -360, 360}});
+}
+
+void addGridAndAreas(Table& table, agrid::GridParams& grid, agrid::AreaParams& areas) {
+  table.push_back({"max_cells", NumberField{&grid.max_cells, 1, 1e8}});
+  table.push_back({"area_method", ChoiceField{{"persistence", "paper"}, [&areas](std::size_t i) {
+                                                areas.method = i == 0
+                                                                   ? agrid::AreaMethod::kPersistence
+                                                                   : agrid::AreaMethod::kPaper;
+                                              }}});
+}
+
+void addPlanner(Table& table, agrid::PlannerParams& p) {
+  table.push_back({"robot_radius", NumberField{&p.robot_radius, 0, 1000}});
+  table.push_back({"clearance", ChoiceField{{"costmap", "strict"}, [&p](std::size_t i) {
+                                              p.clearance = i == 0 ? agrid::Clearance::kCostmap
+                                                                   : agrid::Clearance::kStrict;
+                                            }}});
+  table.push_back({"allow_unknown", FlagField{&p.allow_unknown}});
+  table.push_back({"timeout", NumberField{&p.timeout, 1e-3, 60}});
+  table.push_back({"planner", TextField{&p.planner}});
+}
+
+void addNode(Table& table, NodeParams& p) {
+  table.push_back({"base_frame", TextField{&p.base_frame}});
+  table.push_back({"tf_timeout", NumberField{&p.tf_timeout, 0, 0.5}});
+  table.push_back({"area_period", NumberField{&p.area_period, 0.05, 60}});
+  table.push_back({"static_map_wait", NumberField{&p.static_map_wait, 0, 3600}});
+  table.push_back({"max_parallel_plans", IntegerField{&p.max_parallel_plans, 1, 64}});
+  table.push_back({"strict_params", FlagField{&p.strict_params}});
+}
+
+}  // namespace
+
+std::vector<ParameterEntry> parameterTable(Parameters& parameters) {
+  Table table;
+  addMap(table, parameters.map);
+  addWalls(table, parameters.pipeline.walls);
+  addGridAndAreas(table, parameters.pipeline.grid, parameters.pipeline.areas);
+  addPlanner(table, parameters.planner);
+  addNode(table, parameters.node);
+  return table;
+}
+
+}  // namespace agrid_map_ros

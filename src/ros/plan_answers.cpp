@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/plan_answers.h"
+
+#include <cmath>
+
+#include "ros/request_error.h"
+#include "ros/text.h"
+#include "ros/way_to_things.h"
+
+namespace agrid_map_ros {
+namespace {
+
+using agrid_map::Status;
+
+/// A number of a request where 0 means the parameter.
+std::optional<double> unlessZero(double value) {
+  return value == 0 ? std::nullopt : std::optional<double>(value);
+}
+
+agrid::PlanPoint robotPoint(const Ground& ground) {
+  const agrid::Pose2 pose = ground.frames.robotPose(ground.snapshot.parameters->node.base_frame);
+  return {pose.position, pose.yaw};
+}
+
+/// Where a named start lies: an area's anchor, an object's centre.
+agrid::PlanPoint namedStart(const Ground& ground, const std::string& name) {
+  const std::vector<Thing> things = findThings(*ground.snapshot.map, name, {});
+  if (things.size() > 1) {
+    throw RequestError(Status::START_INVALID, "'" + printable(name) + "' means " +
+                                                  std::to_string(things.size()) +
+                                                  " things; give one of their ids or a start pose");
+  }
+  return {positionOf(things.front()), std::nullopt};
+}
+
+agrid::PlanPoint startOf(const Ground& ground, const agrid_map::PlanAreas::Request& request) {
+  if (request.start_from_robot) return robotPoint(ground);
+  if (!request.start.empty()) return namedStart(ground, request.start);
+  return ground.frames.planPoint(request.start_pose);
+}
+
+void fillPath(agrid_map::PlanPath::Response& response, const Ground& ground,
+              const agrid::Plan& plan) {
+  response.route = toMsg(plan.route, ground.snapshot.map->area_map);
+  response.cells = plan.cells;
+  response.path = pathToMsg(plan.path_map, ground.snapshot.stamp.header);
+  response.length = plan.length;
+  response.length_bound = plan.length_bound;
+  response.clearance = plan.clearance;
+  response.start_moved = plan.start_moved;
+  response.goal_moved = plan.goal_moved;
+}
+
+agrid::Plan planPathTo(const Ground& ground, const agrid_map::PlanPath::Request& request,
+                       agrid::PlanRequest wanted) {
+  wanted.start =
+      request.start_from_robot ? robotPoint(ground) : ground.frames.planPoint(request.start);
+  if (request.goal_name.empty()) {
+    wanted.goal = ground.frames.planPoint(request.goal);
+    return ground.snapshot.planner->plan(wanted);
+  }
+  const std::vector<Thing> things =
+      findThings(*ground.snapshot.map, request.goal_name, {false, true});
+  return planToNearest(*ground.snapshot.planner, things, wanted, request.goal_at_anchor);
+}
+
+}  // namespace
+
+agrid_map::PlanAreas::Response answerPlanAreas(const Ground& ground,
+                                               const agrid_map::PlanAreas::Request& request) {
+  agrid::PlanRequest wanted;
+  wanted.robot_radius = unlessZero(request.robot_radius);
+  wanted.cancelled = &ground.cancelled;
+  wanted.start = startOf(ground, request);
+  agrid::Plan plan;
+  if (request.goal.empty()) {
+    wanted.goal = ground.frames.planPoint(request.goal_pose);
+    plan = ground.snapshot.planner->plan(wanted);
+  } else {
+    const std::vector<Thing> things = findThings(*ground.snapshot.map, request.goal, {false, true});
+    plan = planToNearest(*ground.snapshot.planner, things, wanted, false);
+  }
+  agrid_map::PlanAreas::Response response;
+  response.status = statusOf(plan);
+  if (plan.status == agrid::PlanStatus::kSuccess) {
+    response.routes.push_back(toMsg(plan.route, ground.snapshot.map->area_map));
+  }
+  return response;
+}
+
+agrid_map::PlanPath::Response answerPlanPath(const Ground& ground,
+                                             const agrid_map::PlanPath::Request& request) {
+  if (request.turning_radius != 0) {
+    throw RequestError(Status::INVALID_REQUEST,
+                       "turning_radius is " + formatNumber(request.turning_radius) +
+                           ", allowed 0: paths are made of straight lines");
+  }
+  agrid::PlanRequest wanted;
+  wanted.tolerance = request.tolerance;
+  wanted.robot_radius = unlessZero(request.robot_radius);
+  wanted.timeout = unlessZero(request.timeout);
+  if (!request.planner.empty()) wanted.planner = printable(request.planner.substr(0, 256));
+  wanted.seed = request.seed;
+  wanted.cancelled = &ground.cancelled;
+  const agrid::Plan plan = planPathTo(ground, request, wanted);
+  agrid_map::PlanPath::Response response;
+  response.status = statusOf(plan);
+  response.planning_time = plan.planning_time;
+  response.map_id = ground.snapshot.map->map().digest();
+  if (plan.status == agrid::PlanStatus::kSuccess) fillPath(response, ground, plan);
+  return response;
+}
+
+nav_msgs::GetPlan::Response answerMakePlan(const Ground& ground,
+                                           const nav_msgs::GetPlan::Request& request) {
+  agrid::PlanRequest wanted;
+  wanted.start = ground.frames.planPoint(request.start);
+  wanted.goal = ground.frames.planPoint(request.goal);
+  wanted.tolerance = static_cast<double>(request.tolerance);
+  wanted.cancelled = &ground.cancelled;
+  const agrid::Plan plan = ground.snapshot.planner->plan(wanted);
+  if (plan.status != agrid::PlanStatus::kSuccess) {
+    const agrid_map::Status status = statusOf(plan);
+    throw RequestError(status.code, status.message);
+  }
+  nav_msgs::GetPlan::Response response;
+  response.plan = pathToMsg(plan.path_map, ground.snapshot.stamp.header);
+  return response;
+}
+
+}  // namespace agrid_map_ros

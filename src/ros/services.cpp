@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/services.h"
+
+#include <new>
+#include <type_traits>
+#include <utility>
+
+#include "ros/question_answers.h"
+#include "ros/request_error.h"
+#include "ros/text.h"
+
+namespace agrid_map_ros {
+namespace {
+
+using agrid_map::Status;
+
+int maxPlans(const Settings& settings) {
+  const auto parameters = settings.parameters();
+  return (parameters ? *parameters : Parameters{}).node.max_parallel_plans;
+}
+
+template <typename Response>
+void setStatus(Response& response, const Status& status) {
+  // nav_msgs/GetPlan has no place for it
+  if constexpr (!std::is_same_v<Response, nav_msgs::GetPlan::Response>) {
+    response = Response();
+    response.status = status;
+  }
+}
+
+/// What the exception that is being handled means to the client: every one ends here.
+Status statusOfException() {
+  try {
+    throw;
+  } catch (const RequestError& error) {
+    return statusOf(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return statusOf(Status::LIMIT_REACHED, "out of memory");
+  } catch (const std::exception& error) {
+    return statusOf(Status::INVALID_REQUEST, printable(error.what()));
+  } catch (...) {
+    return statusOf(Status::INVALID_REQUEST, "unknown exception");
+  }
+}
+
+}  // namespace
+
+Services::Services(const ros::NodeHandle& private_nh, const Deps& deps)
+    : deps_(deps),
+      max_plans_(maxPlans(deps.settings)),
+      gate_(max_plans_),
+      question_nh_(private_nh),
+      plan_nh_(private_nh),
+      // one thread more than plans, which tells the others that the node is busy
+      plan_spinner_(static_cast<std::uint32_t>(max_plans_) + 1, &plan_queue_) {
+  plan_nh_.setCallbackQueue(&plan_queue_);
+  advertise<agrid_map::PlanAreas>(Kind::kPlan, "plan_areas", answerPlanAreas);
+  advertise<agrid_map::PlanPath>(Kind::kPlan, "plan_path",
+                                 [this](const auto& g, const auto& r) { return planPath(g, r); });
+  advertise<nav_msgs::GetPlan>(Kind::kPlan, "make_plan",
+                               [this](const auto& g, const auto& r) { return makePlan(g, r); });
+  advertise<agrid_map::WhereIs>(Kind::kPlan, "where_is", answerWhereIs);
+  advertise<agrid_map::LabelAt>(Kind::kQuestion, "label_at", answerLabelAt);
+  advertise<agrid_map::GetAGrid>(Kind::kQuestion, "get_agrid", answerGetAGrid);
+  advertise<agrid_map::GetGraph>(Kind::kQuestion, "get_graph", answerGetGraph);
+  servers_.push_back(question_nh_.advertiseService("rebuild", &Services::rebuild, this));
+  plan_spinner_.start();
+}
+
+Services::~Services() {
+  for (ros::ServiceServer& server : servers_) server.shutdown();
+  plan_spinner_.stop();
+}
+
+template <typename Service>
+void Services::advertise(Kind kind, const std::string& name, Answer<Service> answer) {
+  using Request = typename Service::Request;
+  using Response = typename Service::Response;
+  const boost::function<bool(Request&, Response&)> callback =
+      [this, kind, answer = std::move(answer)](Request& request, Response& response) {
+        serve<Service>(kind, answer, request, response);
+        return true;
+      };
+  ros::NodeHandle& nh = kind == Kind::kPlan ? plan_nh_ : question_nh_;
+  servers_.push_back(nh.advertiseService(name, callback));
+}
+
+template <typename Service>
+void Services::serve(Kind kind, const Answer<Service>& answer,
+                     const typename Service::Request& request,
+                     typename Service::Response& response) {
+  try {
+    std::optional<PlanGate::Ticket> ticket;
+    if (kind == Kind::kPlan && !ticket.emplace(gate_).granted()) {
+      throw RequestError(Status::BUSY,
+                         std::to_string(max_plans_) + " requests are being planned; ask again");
+    }
+    const SnapshotPtr snapshot = requireSnapshot();
+    const Frames frames(deps_.transforms, deps_.cancelled, snapshot->frame(),
+                        snapshot->parameters->node.tf_timeout);
+    response = answer(Ground{*snapshot, frames, deps_.cancelled}, request);
+  } catch (...) {
+    const Status status = statusOfException();
+    deps_.log.warn("request", status.message);
+    setStatus(response, status);
+  }
+}
+
+SnapshotPtr Services::requireSnapshot() const {
+  if (SnapshotPtr snapshot = deps_.builder.snapshot()) return snapshot;
+  const std::string error = deps_.settings.error();
+  if (!error.empty()) throw RequestError(Status::INVALID_REQUEST, "bad parameters: " + error);
+  throw RequestError(Status::NO_MAP, "no map has been built yet");
+}
+
+agrid_map::PlanPath::Response Services::planPath(const Ground& ground,
+                                                 const agrid_map::PlanPath::Request& request) {
+  agrid_map::PlanPath::Response response = answerPlanPath(ground, request);
+  if (response.status.code == Status::SUCCESS) deps_.outputs.publishPlan(response.path);
+  const SnapshotPtr newest = deps_.builder.snapshot();
+  if (newest.get() != &ground.snapshot) {
+    std::string& message = response.status.message;
+    message += std::string(message.empty() ? "" : "; ") + "a newer map has been built meanwhile";
+  }
+  return response;
+}
+
+nav_msgs::GetPlan::Response Services::makePlan(const Ground& ground,
+                                               const nav_msgs::GetPlan::Request& request) {
+  nav_msgs::GetPlan::Response response = answerMakePlan(ground, request);
+  deps_.outputs.publishPlan(response.plan);
+  return response;
+}
+
+bool Services::rebuild(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  try {
+    const std::string error = deps_.settings.reload();
+    if (!error.empty()) throw RequestError(Status::INVALID_REQUEST, error);
+    deps_.builder.setParameters(deps_.settings.parameters());
+    if (!deps_.builder.rebuild()) throw RequestError(Status::NO_MAP, "no map has arrived yet");
+    response.success = true;
+    response.message = "the map is being built anew";
+  } catch (...) {
+    response.success = false;
+    response.message = statusOfException().message;
+  }
+  return true;
+}
+
+}  // namespace agrid_map_ros

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/thing_lookup.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <sstream>
+
+#include "ros/request_error.h"
+#include "ros/text.h"
+
+namespace agrid_map_ros {
+namespace {
+
+constexpr std::size_t kLongestName = 256;  // bytes
+
+/// What a thing is called.
+struct Called {
+  Thing thing;
+  std::vector<std::string> names;  // its name first, then the aliases
+  std::string category;
+};
+
+std::vector<std::string> namesOf(const std::string& name, const agrid::Properties& properties) {
+  std::vector<std::string> names = {name};
+  const auto alias = properties.find("alias");
+  if (alias == properties.end()) return names;
+  std::istringstream list(alias->second);
+  for (std::string part; std::getline(list, part, ',');) {
+    const std::size_t begin = part.find_first_not_of(' ');
+    if (begin == std::string::npos) continue;
+    names.push_back(part.substr(begin, part.find_last_not_of(' ') + 1 - begin));
+  }
+  return names;
+}
+
+std::vector<Called> allThings(const agrid::SemanticMap& map, const LookupScope& scope) {
+  std::vector<Called> things;
+  for (const agrid::Area& area : map.area_map.areas) {
+    things.push_back({&area, namesOf(area.name, area.properties), area.category});
+  }
+  for (const agrid::Tag& tag : map.tags) {
+    if (const auto* object = std::get_if<agrid::ObjectTag>(&tag)) {
+      things.push_back({object, namesOf(object->name, object->properties), object->category});
+    }
+  }
+  if (!scope.doors) return things;
+  for (const agrid::Door& door : map.area_map.doors) {
+    things.push_back({&door, namesOf(door.name, door.properties), {}});
+  }
+  return things;
+}
+
+std::vector<Thing> select(const std::vector<Called>& things,
+                          const std::function<bool(const Called&)>& meant) {
+  std::vector<Thing> selected;
+  for (const Called& called : things) {
+    if (meant(called)) selected.push_back(called.thing);
+  }
+  return selected;
+}
+
+std::string asWritten(const std::string& text) { return text; }
+
+void requireName(const std::string& word) {
+  if (!word.empty() && word.size() <= kLongestName && !hasControlCharacter(word)) return;
+  throw RequestError(agrid_map::Status::INVALID_REQUEST,
+                     "the name '" + printable(word.substr(0, 64)) + "' has " +
+                         std::to_string(word.size()) + " bytes, allowed are 1 to " +
+                         std::to_string(kLongestName) + " without control characters");
+}
+
+[[noreturn]] void throwUnknown(const std::vector<Called>& things, const std::string& word,
+                               const LookupScope& scope) {
+  std::vector<std::string> known;
+  for (const Called& called : things) {
+    std::copy_if(called.names.begin(), called.names.end(), std::back_inserter(known),
+                 [](const std::string& name) { return !name.empty(); });
+    if (scope.categories && !called.category.empty()) known.push_back(called.category);
+  }
+  const std::vector<std::string> closest = closestNames(word, known);
+  throw RequestError(agrid_map::Status::UNKNOWN_NAME,
+                     "there is no '" + word + "'" +
+                         (closest.empty() ? std::string("; nothing has a name yet")
+                                          : "; the closest names are: " + joined(closest)));
+}
+
+}  // namespace
+
+std::vector<Thing> findThings(const agrid::SemanticMap& map, const std::string& word,
+                              const LookupScope& scope) {
+  requireName(word);
+  const std::vector<Called> things = allThings(map, scope);
+  for (const auto form : {&asWritten, &lowerCase}) {
+    const std::string wanted = form(word);
+    auto found = select(things, [&](const Called& called) {
+      return std::any_of(called.names.begin(), called.names.end(),
+                         [&](const std::string& name) { return form(name) == wanted; });
+    });
+    if (!found.empty()) return found;
+    if (!scope.categories) continue;
+    found = select(things, [&](const Called& called) { return form(called.category) == wanted; });
+    if (!found.empty()) return found;
+  }
+  const auto found = select(things, [&](const Called& called) {
+    const auto* area = std::get_if<const agrid::Area*>(&called.thing);
+    return area && std::to_string(static_cast<std::uint32_t>((*area)->id)) == word;
+  });
+  if (found.empty()) throwUnknown(things, word, scope);
+  return found;
+}
+
+}  // namespace agrid_map_ros
