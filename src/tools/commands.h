@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "tools/arguments.h"
+
 namespace agrid::tools {
 
-/// Runs the command line tool.
+/// Exit codes of the tool.
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kFileFailed = 2;
+constexpr int kWrongUsage = 64;
+
+/// A command of the tool: what it takes, and what does it.
+struct Command {
+  Syntax syntax;
+  /// Returns the exit code; throws UsageError, FileError or any other exception where it fails.
+  std::function<int(const Arguments&)> run;
+};
+
+Command generateCommand();  ///< draws an office
+
+/// Runs the command line tool. Results go to standard output, all else to standard error.
 /// @param arguments  as main's, the program's name first
 /// @return the exit code: 0 done, 1 failed, 2 a file cannot be read or written, 64 wrong usage
 int run(const std::vector<std::string>& arguments);

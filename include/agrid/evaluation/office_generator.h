@@ -11,20 +11,26 @@ namespace agrid {
 
 /// A drawn office with what is true about it.
 struct Office {
-  OccupancyGrid grid;
-  std::vector<std::uint16_t> rooms;  ///< row-major like the grid: 0 = none, k = room k
-  std::vector<Segment> doors_map;    ///< jamb to jamb [m]
+  OccupancyGrid grid;                   ///< values 0 free, 100 occupied, -1 unknown
+  std::vector<std::uint16_t> rooms;     ///< row-major like the grid: 0 = none, k = room k; free
+                                        ///< floor and furniture, not the floor within doorways
+  std::vector<Segment> doors_map;       ///< doors that stand open, jamb to jamb [m]; one room lies
+                                        ///< on either side
+  std::vector<Segment> shut_doors_map;  ///< doors that were shut when the map was made [m]
 };
 
+/// What to draw.
 struct OfficeParams {
-  int size = 600;            ///< pixels a side
-  std::uint32_t seed = 1;    ///< the same seed draws the same office
-  double resolution = 0.05;  ///< [m]
-  bool furniture = true;
-  bool noise = true;  ///< ragged walls, stray points, rays through windows, as from a laser
+  int size = 600;            ///< pixels a side, 100..20000
+  std::uint32_t seed = 1;    ///< the same seed draws the same office on every machine
+  double resolution = 0.05;  ///< [m], 0.02..0.2; the side is 5..1000 m long
+  bool furniture = true;     ///< tables, chairs, cabinets, door leaves
+  bool noise = true;  ///< ragged walls, stray points, unseen corners, rays through windows, as from
+                      ///< a laser
 };
 
-/// Draws rooms, corridors, doors and furniture.
+/// Draws rooms, corridors, doors and furniture. Every room can be reached through open doors.
+/// Takes time and memory in proportion to the pixels.
 /// @throws std::invalid_argument if a parameter is out of range
 Office generateOffice(const OfficeParams& params);
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "agrid/geometry/segment.h"
+#include "agrid/map/map_geometry.h"
+#include "opencv2/core.hpp"
+
+namespace agrid::tools {
+
+/// A point of the map frame [m] in pixels of the map's image: pixel centres at integers, y down
+/// from the top row.
+Point2 imagePoint(const Point2& point_map, const MapGeometry& geometry);
+
+/// Labels per pixel (row 0 = smallest y) as a 16-bit image whose row 0 is the top.
+cv::Mat labelImage(const std::vector<std::uint16_t>& labels, const MapGeometry& geometry);
+
+/// A line "x1,y1,x2,y2" for each segment, in image pixels, below a header.
+std::string segmentsCsv(const std::vector<Segment>& segments_map, const MapGeometry& geometry);
+
+/// A number as text, the same everywhere, with three decimals at most.
+std::string shortNumber(double value);
+
+}  // namespace agrid::tools
