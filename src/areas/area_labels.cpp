@@ -2,11 +2,13 @@
 #include "areas/area_labels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "areas/paper_watershed.h"
 #include "areas/seeded_flood.h"
 #include "tags/persistence.h"
 #include "tags/pixel_neighbours.h"
@@ -62,13 +64,9 @@ std::vector<std::size_t> acceptSeeds(std::vector<AreaTag> tags, const Relief& re
   return seeds;
 }
 
-/// Gives each pixel of a barrier to the area that is nearest over the barriers' pixels.
-void openBarriers(const std::vector<Barrier>& barriers, const MapGeometry& geometry,
-                  std::vector<std::uint32_t>& labels) {
-  std::vector<std::size_t> open;
-  for (const Barrier& barrier : barriers) {
-    open.insert(open.end(), barrier.pixels.begin(), barrier.pixels.end());
-  }
+/// Gives each of some pixels to the area that is nearest over these pixels.
+void handOver(const std::vector<std::size_t>& open, const MapGeometry& geometry,
+              std::vector<std::uint32_t>& labels) {
   std::vector<std::pair<std::size_t, std::uint32_t>> found;
   do {
     found.clear();
@@ -126,6 +124,17 @@ void nameAreas(std::vector<AreaTag>& tags) {
   }
 }
 
+std::vector<std::uint32_t> floodRelief(const Relief& relief, const std::vector<std::size_t>& seeds,
+                                       const AreaParams& params, const MapGeometry& geometry) {
+  Basins basins = findBasins(relief.height);
+  const auto area_of = mergeByPersistence(basins, geometry.resolution, params);
+  return floodFromSeeds(std::move(basins), area_of, seeds, geometry.width);
+}
+
+int openingSide(const AreaParams& params, const MapGeometry& geometry) {
+  return static_cast<int>(std::lround(params.passages.opening / geometry.resolution));
+}
+
 }  // namespace
 
 AreaLabels growAreas(const OccupancyMap& map, const Relief& relief, const std::vector<Tag>& tags,
@@ -133,10 +142,14 @@ AreaLabels growAreas(const OccupancyMap& map, const Relief& relief, const std::v
   AreaLabels labels;
   const MapGeometry& geometry = map.geometry();
   const auto seeds = acceptSeeds(numberTags(tags), relief, geometry, labels);
-  Basins basins = findBasins(relief.height);
-  const auto area_of = mergeByPersistence(basins, geometry.resolution, params);
-  labels.of_pixel = floodFromSeeds(std::move(basins), area_of, seeds, geometry.width);
-  openBarriers(relief.barriers, geometry, labels.of_pixel);
+  labels.of_pixel = params.method == AreaMethod::kPaper
+                        ? floodContours(relief.free_space, seeds, openingSide(params, geometry))
+                        : floodRelief(relief, seeds, params, geometry);
+  std::vector<std::size_t> doorways;
+  for (const Barrier& barrier : relief.barriers) {
+    doorways.insert(doorways.end(), barrier.pixels.begin(), barrier.pixels.end());
+  }
+  handOver(doorways, geometry, labels.of_pixel);
   dropAreas(map, labels);
   nameAreas(labels.tags);
   return labels;

@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "areas/borders.h"
-#include "areas/jambs.h"
+#include "tags/narrowing.h"
 
 namespace agrid {
 namespace {
@@ -57,12 +57,13 @@ class DoorFinder {
     std::vector<Door> doors;
     for (const Stretch& stretch : splitIntoStretches(open_points_, geometry_)) {
       if (extentOf(stretch, geometry_) * geometry_.resolution < params_.min_border_length) continue;
-      const Narrowing narrowing = findNarrowing(stretch, relief_.height, geometry_);
+      const std::size_t center = farthestFromWalls(stretch);
+      const Segment jambs_px = findNarrowing(geometry_.pixel(center), relief_.height);
       const auto inMap = [&](const Point2& point_px) {
         return Point2(geometry_.map_from_image * Point2(point_px * geometry_.resolution));
       };
-      const Segment jambs_map{inMap(narrowing.jambs_px.a), inMap(narrowing.jambs_px.b)};
-      doors.push_back(between(stretch.front(), jambs_map, narrowing.height_px));
+      const Segment jambs_map{inMap(jambs_px.a), inMap(jambs_px.b)};
+      doors.push_back(between(stretch.front(), jambs_map, heightAt(center)));
     }
     return doors;
   }
@@ -80,6 +81,18 @@ class DoorFinder {
       if (barrier == barrier_of.end()) barrier = barrier_of.find(point.other);
       (barrier == barrier_of.end() ? open_points_ : at_barrier_[barrier->second]).push_back(point);
     }
+  }
+
+  double heightAt(std::size_t pixel) const { return relief_.height.ptr<float>()[pixel]; }
+
+  std::size_t farthestFromWalls(const Stretch& stretch) const {
+    std::size_t farthest = stretch.front().pixel;
+    for (const BorderPoint& point : stretch) {
+      for (const std::size_t pixel : {point.pixel, point.other}) {
+        if (heightAt(pixel) > heightAt(farthest)) farthest = pixel;
+      }
+    }
+    return farthest;
   }
 
   static const BorderPoint& mostFrequentSides(const Stretch& points) {
@@ -148,6 +161,7 @@ std::vector<Door> findDoors(const AreaLabels& labels, const Relief& relief,
   std::vector<Door> doors = finder.ofBarriers(unused);
   for (const std::size_t i : unused) {
     const DoorTag& tag = relief.barriers[i].tag;
+    if (tag.source == TagSource::kAutomatic) continue;
     warnings.push_back("door tag " + std::to_string(static_cast<std::uint32_t>(tag.id)) + " '" +
                        tag.name + "' does not part two areas and is not used");
   }

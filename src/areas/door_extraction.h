@@ -16,7 +16,7 @@ namespace agrid {
 /// width, with confidence 1 - h / p: h being the height of the relief on the border, p the height
 /// of the lower of both areas' peaks, so that a slit between two halls has 1 and no narrowing has
 /// 0.
-/// @param warnings  gets a sentence for each door tag that parts nothing
+/// @param warnings  gets a sentence for each door tag by a person that parts nothing
 /// @return sorted by id; those without a tag are numbered from the top of the map to its bottom
 std::vector<Door> findDoors(const AreaLabels& labels, const Relief& relief,
                             const MapGeometry& geometry, const AreaParams& params,

@@ -17,6 +17,9 @@ constexpr std::uint8_t kFlat = 9;  ///< no neighbour is higher; its plateau deci
 class Ascent {
  public:
   explicit Ascent(const cv::Mat1f& relief) : relief_(relief), up_(relief.total(), kFlat) {
+    for (std::size_t n = 0; n < kNeighbours.size(); ++n) {
+      offsets_[n] = kNeighbours[n].x + static_cast<std::ptrdiff_t>(kNeighbours[n].y) * relief.cols;
+    }
     takeSteepest();
     crossPlateaus();
   }
@@ -26,18 +29,17 @@ class Ascent {
   void forEachNeighbour(std::size_t index, F f) const {
     const auto columns = static_cast<std::size_t>(relief_.cols);
     const Pixel p{static_cast<int>(index % columns), static_cast<int>(index / columns)};
+    const bool inner = p.x > 0 && p.y > 0 && p.x + 1 < relief_.cols && p.y + 1 < relief_.rows;
     for (std::uint8_t n = 0; n < kNeighbours.size(); ++n) {
       const Pixel q = p + kNeighbours[n];
-      if (q.x < 0 || q.y < 0 || q.x >= relief_.cols || q.y >= relief_.rows) continue;
-      f(n, static_cast<std::size_t>(q.y) * columns + static_cast<std::size_t>(q.x));
+      if (!inner && (q.x < 0 || q.y < 0 || q.x >= relief_.cols || q.y >= relief_.rows)) continue;
+      f(n, index + static_cast<std::size_t>(offsets_[n]));
     }
   }
   float height(std::size_t index) const { return relief_.ptr<float>()[index]; }
   bool isPeak(std::size_t index) const { return up_[index] == kPeak; }
   std::size_t next(std::size_t index) const {
-    const Pixel step = kNeighbours[up_[index]];
-    return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(index) + step.x +
-                                    static_cast<std::ptrdiff_t>(step.y) * relief_.cols);
+    return index + static_cast<std::size_t>(offsets_[up_[index]]);
   }
   std::size_t size() const { return up_.size(); }
 
@@ -97,6 +99,7 @@ class Ascent {
 
   static constexpr std::uint8_t kDeferred = 16;
   const cv::Mat1f& relief_;
+  std::array<std::ptrdiff_t, 8> offsets_{};  ///< from a pixel's index to its neighbours'
   std::vector<std::uint8_t> up_;
 };
 
@@ -122,22 +125,20 @@ void labelPixels(const Ascent& ascent, Basins& result) {
 }
 
 void findSaddles(const Ascent& ascent, Basins& result) {
-  std::unordered_map<std::uint64_t, float> heights;
+  std::unordered_map<std::uint64_t, Saddle> saddles;
   for (std::size_t i = 0; i < ascent.size(); ++i) {
     const std::uint32_t a = result.of_pixel[i];
     if (a == Basins::kNone) continue;
     ascent.forEachNeighbour(i, [&](std::uint8_t, std::size_t j) {
       const std::uint32_t b = result.of_pixel[j];
       if (b == Basins::kNone || b <= a) return;
-      float& height = heights[std::uint64_t{a} << 32U | b];
-      height = std::max(height, std::min(ascent.height(i), ascent.height(j)));
+      const std::size_t lowest = ascent.height(i) <= ascent.height(j) ? i : j;
+      Saddle& saddle = saddles[std::uint64_t{a} << 32U | b];
+      if (ascent.height(lowest) > saddle.height) saddle = {ascent.height(lowest), a, b, lowest};
     });
   }
-  result.saddles.reserve(heights.size());
-  for (const auto& [key, height] : heights) {
-    result.saddles.push_back({height, static_cast<std::uint32_t>(key >> 32U),
-                              static_cast<std::uint32_t>(key & 0xffffffffU)});
-  }
+  result.saddles.reserve(saddles.size());
+  for (const auto& entry : saddles) result.saddles.push_back(entry.second);
   std::sort(result.saddles.begin(), result.saddles.end(), [](const Saddle& p, const Saddle& q) {
     if (p.height != q.height) return p.height > q.height;
     return p.a != q.a ? p.a < q.a : p.b < q.b;

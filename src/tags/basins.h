@@ -21,6 +21,7 @@ struct Saddle {
   float height = 0;  ///< [px]
   std::uint32_t a = 0;
   std::uint32_t b = 0;
+  std::size_t pixel = 0;  ///< the lowest pixel of that way, row-major index
 };
 
 /// The watershed of a relief before anything is merged.

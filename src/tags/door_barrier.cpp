@@ -61,4 +61,10 @@ std::optional<Barrier> findBarrier(const cv::Mat1b& free_space, const MapGeometr
   return barrier;
 }
 
+void closeDoors(const std::vector<Barrier>& barriers, cv::Mat1b& free_space) {
+  for (const Barrier& barrier : barriers) {
+    for (const std::size_t i : barrier.pixels) free_space.ptr()[i] = 0;
+  }
+}
+
 }  // namespace agrid

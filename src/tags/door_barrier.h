@@ -27,4 +27,7 @@ struct Barrier {
 std::optional<Barrier> findBarrier(const cv::Mat1b& free_space, const MapGeometry& geometry,
                                    const DoorTag& tag);
 
+/// Adds the barriers to the contours of the map (paper, 3.2).
+void closeDoors(const std::vector<Barrier>& barriers, cv::Mat1b& free_space);
+
 }  // namespace agrid

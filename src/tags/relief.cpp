@@ -9,7 +9,10 @@ namespace agrid {
 
 Relief makeRelief(const OccupancyMap& map, const std::vector<Tag>& tags, const AreaParams& params) {
   Relief relief;
-  relief.free_space = cleanFreeSpace(map, params);
+  AreaParams cleaning = params;
+  // the paper takes the metric map as it is
+  if (params.method == AreaMethod::kPaper) cleaning.max_clutter_diagonal = 0;
+  relief.free_space = cleanFreeSpace(map, cleaning);
   for (const Tag& tag : tags) {
     const auto* door = std::get_if<DoorTag>(&tag);
     if (!door) continue;
@@ -20,9 +23,7 @@ Relief makeRelief(const OccupancyMap& map, const std::vector<Tag>& tags, const A
                                 " '" + door->name + "' lies outside free space and is not used");
     }
   }
-  for (const Barrier& barrier : relief.barriers) {
-    for (const std::size_t i : barrier.pixels) relief.free_space.ptr()[i] = 0;
-  }
+  closeDoors(relief.barriers, relief.free_space);
   relief.height = distanceFromWalls(relief.free_space);
   return relief;
 }

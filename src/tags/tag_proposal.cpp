@@ -2,59 +2,110 @@
 #include "agrid/tags/tag_proposal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <utility>
 
-#include "tags/persistence.h"
+#include <opencv2/imgproc.hpp>
+
+#include "tags/area_seeds.h"
+#include "tags/narrow_passages.h"
+#include "tags/pixel_neighbours.h"
 #include "tags/relief.h"
 
 namespace agrid {
 namespace {
 
-/// Orders points of the map as a reader meets them: from the top, then from the left.
-bool readsBefore(const Point2& a, const Point2& b) {
-  return a.y() != b.y() ? a.y() > b.y() : a.x() < b.x();
+DoorTag doorAcross(const Segment& passage_px, const MapGeometry& geometry) {
+  const Point2 way = passage_px.b - passage_px.a;
+  const double yaw_through = std::atan2(-way.x(), way.y());
+  DoorTag door;
+  door.pose_map =
+      geometry.map_from_image * Pose2{passage_px.midpoint() * geometry.resolution, yaw_through};
+  door.width = passage_px.length() * geometry.resolution;
+  return door;
 }
 
-std::vector<AreaTag> proposeSeeds(const OccupancyMap& map, const std::vector<Tag>& given,
+/// Whether a barrier has two portions of the free space beside it; portion 0 is none.
+bool partsTwo(const Barrier& barrier, const cv::Mat1i& portions, const MapGeometry& geometry) {
+  std::set<int> beside;
+  for (const std::size_t i : barrier.pixels) {
+    for (const Pixel step : kNeighbours) {
+      const Pixel p = geometry.pixel(i) + step;
+      if (geometry.contains(p)) beside.insert(portions(p.y, p.x));
+    }
+  }
+  beside.erase(0);
+  return beside.size() > 1;
+}
+
+/// The narrow passages that part two portions of the map when all of them are closed.
+std::vector<DoorTag> proposeDoors(const OccupancyMap& map, const std::vector<Tag>& given,
                                   const AreaParams& params) {
   const MapGeometry& geometry = map.geometry();
-  const Basins basins = findBasins(makeRelief(map, given, params).height);
-  const auto area_of = mergeByPersistence(basins, geometry.resolution, params);
-  std::vector<bool> is_seeded(basins.basins.size(), false);
-  for (const Tag& tag : given) {
-    const auto* area = std::get_if<AreaTag>(&tag);
-    const auto pixel = area ? geometry.pixelAt(area->seed_map) : std::nullopt;
-    if (!pixel) continue;
-    const std::uint32_t basin = basins.of_pixel[geometry.index(*pixel)];
-    if (basin != Basins::kNone) is_seeded[area_of[basin]] = true;
+  Relief relief = makeRelief(map, given, params);
+  std::vector<Barrier> barriers;
+  for (const Segment& passage : findNarrowPassages(relief, geometry, params)) {
+    auto barrier = findBarrier(relief.free_space, geometry, doorAcross(passage, geometry));
+    if (barrier) barriers.push_back(std::move(*barrier));
   }
+  closeDoors(barriers, relief.free_space);
+  cv::Mat1i portions;
+  cv::connectedComponents(relief.free_space, portions, 4, CV_32S);
+  std::vector<DoorTag> doors;
+  for (const Barrier& barrier : barriers) {
+    if (partsTwo(barrier, portions, geometry)) doors.push_back(barrier.tag);
+  }
+  return doors;
+}
+
+std::vector<AreaTag> proposeSeeds(const OccupancyMap& map, const std::vector<Tag>& tags,
+                                  const AreaParams& params) {
+  const MapGeometry& geometry = map.geometry();
+  std::vector<Pixel> given;
+  for (const Tag& tag : tags) {
+    const auto* area = std::get_if<AreaTag>(&tag);
+    if (const auto pixel = area ? geometry.pixelAt(area->seed_map) : std::nullopt) {
+      given.push_back(*pixel);
+    }
+  }
+  const Relief relief = makeRelief(map, tags, params);
+  const auto pixels = params.method == AreaMethod::kPaper
+                          ? findCentroids(relief, given)
+                          : findPeaks(relief, given, geometry.resolution, params);
   std::vector<AreaTag> seeds;
-  for (std::size_t i = 0; i < basins.basins.size(); ++i) {
-    if (area_of[i] != i || is_seeded[i]) continue;
+  for (const Pixel pixel : pixels) {
     AreaTag seed;
-    seed.seed_map = geometry.center(geometry.pixel(basins.basins[i].peak));
+    seed.seed_map = geometry.center(pixel);
     seeds.push_back(seed);
   }
   return seeds;
 }
 
-std::vector<Tag> numbered(std::vector<AreaTag> seeds, const std::vector<Tag>& given) {
-  std::stable_sort(seeds.begin(), seeds.end(), [](const AreaTag& a, const AreaTag& b) {
-    return readsBefore(a.seed_map, b.seed_map);
+const Point2& placeOf(const AreaTag& tag) { return tag.seed_map; }
+const Point2& placeOf(const DoorTag& tag) { return tag.pose_map.position; }
+
+/// Adds the proposals to `tags` as a reader meets them, from the top, then from the left, with the
+/// lowest ids that `given` does not use.
+template <typename T>
+void number(std::vector<T> proposals, const std::vector<Tag>& given, std::vector<Tag>& tags) {
+  std::stable_sort(proposals.begin(), proposals.end(), [](const T& a, const T& b) {
+    const Point2& p = placeOf(a);
+    const Point2& q = placeOf(b);
+    return p.y() != q.y() ? p.y() > q.y() : p.x() < q.x();
   });
-  std::set<AreaId> used;
+  using Id = decltype(T::id);
+  std::set<Id> used;
   for (const Tag& tag : given) {
-    if (const auto* area = std::get_if<AreaTag>(&tag)) used.insert(area->id);
+    if (const auto* same_kind = std::get_if<T>(&tag)) used.insert(same_kind->id);
   }
-  std::vector<Tag> tags;
   std::uint32_t id = 0;
-  for (AreaTag& seed : seeds) {
+  for (T& proposal : proposals) {
     do {
-      seed.id = AreaId{++id};
-    } while (used.count(seed.id) > 0);
-    tags.emplace_back(std::move(seed));
+      proposal.id = Id{++id};
+    } while (used.count(proposal.id) > 0);
+    tags.emplace_back(std::move(proposal));
   }
-  return tags;
 }
 
 }  // namespace
@@ -62,7 +113,14 @@ std::vector<Tag> numbered(std::vector<AreaTag> seeds, const std::vector<Tag>& gi
 std::vector<Tag> proposeTags(const OccupancyMap& map, const std::vector<Tag>& given,
                              const AreaParams& params) {
   validate(params);
-  return numbered(proposeSeeds(map, given, params), given);
+  std::vector<Tag> proposed;
+  if (params.method == AreaMethod::kPaper) {
+    number(proposeDoors(map, given, params), given, proposed);
+  }
+  std::vector<Tag> known = given;
+  known.insert(known.end(), proposed.begin(), proposed.end());
+  number(proposeSeeds(map, known, params), given, proposed);
+  return proposed;
 }
 
 }  // namespace agrid

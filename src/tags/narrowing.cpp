@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "areas/jambs.h"
+#include "tags/narrowing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,29 +63,16 @@ Segment betweenSurfaces(const Point2& a, const Point2& b) {
 
 }  // namespace
 
-Narrowing findNarrowing(const Stretch& stretch, const cv::Mat1f& height,
-                        const MapGeometry& geometry) {
-  Narrowing narrowing;
-  Point2 center = stretch.front().position(geometry);
-  for (const BorderPoint& point : stretch) {
-    for (const std::size_t pixel : {point.pixel, point.other}) {
-      const double h = height.ptr<float>()[pixel];
-      if (h <= narrowing.height_px) continue;
-      narrowing.height_px = h;
-      center = centerOf(geometry.pixel(pixel));
-    }
-  }
-  const auto walls = wallsAround(center, 2 * narrowing.height_px + 2, height);
+Segment findNarrowing(Pixel center_pixel, const cv::Mat1f& height) {
+  const Point2 center = centerOf(center_pixel);
+  const double reach = 2. * static_cast<double>(height(center_pixel.y, center_pixel.x)) + 2;
+  const auto walls = wallsAround(center, reach, height);
   const Point2* nearest = nearestTo(center, walls);
-  if (!nearest) return narrowing;
   const Point2 direction = (*nearest - center).normalized();
   const auto one_side = inDirection(walls, center, direction);
   const auto other_side = inDirection(walls, center, -direction);
   const Point2* opposite = nearestTo(center, other_side);
-  if (!opposite) {
-    narrowing.jambs_px = betweenSurfaces(*nearest, 2 * center - *nearest);
-    return narrowing;
-  }
+  if (!opposite) return betweenSurfaces(*nearest, 2 * center - *nearest);
   for (bool moved = true; moved;) {
     const Point2* next = nearestTo(*opposite, one_side);
     moved = (*next - *opposite).norm() < (*nearest - *opposite).norm();
@@ -96,8 +83,7 @@ Narrowing findNarrowing(const Stretch& stretch, const cv::Mat1f& height,
       moved = true;
     }
   }
-  narrowing.jambs_px = betweenSurfaces(*nearest, *opposite);
-  return narrowing;
+  return betweenSurfaces(*nearest, *opposite);
 }
 
 }  // namespace agrid

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tags/area_seeds.h"
+
+#include <cmath>
+#include <limits>
+
+#include <opencv2/imgproc.hpp>
+
+#include "tags/persistence.h"
+
+namespace agrid {
+
+std::vector<Pixel> findPeaks(const Relief& relief, const std::vector<Pixel>& given,
+                             double resolution, const AreaParams& params) {
+  const Basins basins = findBasins(relief.height);
+  const auto area_of = mergeByPersistence(basins, resolution, params);
+  const auto columns = static_cast<std::size_t>(relief.height.cols);
+  std::vector<bool> is_given(basins.basins.size(), false);
+  for (const Pixel p : given) {
+    const auto i = static_cast<std::size_t>(p.y) * columns + static_cast<std::size_t>(p.x);
+    const std::uint32_t basin = basins.of_pixel[i];
+    if (basin != Basins::kNone) is_given[area_of[basin]] = true;
+  }
+  std::vector<Pixel> peaks;
+  for (std::size_t i = 0; i < basins.basins.size(); ++i) {
+    if (area_of[i] != i || is_given[i]) continue;
+    const std::size_t peak = basins.basins[i].peak;
+    peaks.push_back({static_cast<int>(peak % columns), static_cast<int>(peak / columns)});
+  }
+  return peaks;
+}
+
+std::vector<Pixel> findCentroids(const Relief& relief, const std::vector<Pixel>& given) {
+  cv::Mat1i portions;
+  cv::Mat1i stats;
+  cv::Mat1d centroids;
+  const int count =
+      cv::connectedComponentsWithStats(relief.free_space, portions, stats, centroids, 4, CV_32S);
+  constexpr double kGiven = -1;
+  std::vector<double> nearest(static_cast<std::size_t>(count),
+                              std::numeric_limits<double>::infinity());
+  nearest[0] = kGiven;
+  for (const Pixel p : given) nearest[static_cast<std::size_t>(portions(p.y, p.x))] = kGiven;
+  std::vector<Pixel> seeds(nearest.size());
+  for (int y = 0; y < portions.rows; ++y) {
+    for (int x = 0; x < portions.cols; ++x) {
+      const int portion = portions(y, x);
+      const auto i = static_cast<std::size_t>(portion);
+      const double distance = std::hypot(x - centroids(portion, 0), y - centroids(portion, 1));
+      if (distance >= nearest[i]) continue;
+      nearest[i] = distance;
+      seeds[i] = {x, y};
+    }
+  }
+  std::vector<Pixel> result;
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    if (nearest[i] != kGiven) result.push_back(seeds[i]);
+  }
+  return result;
+}
+
+}  // namespace agrid
