@@ -8,8 +8,8 @@
 namespace agrid {
 
 Structure extractStructure(std::shared_ptr<const OccupancyMap> map, const PipelineParams& params) {
-  Walls walls = detectWalls(*map, params.walls);
-  auto grid = std::make_shared<const AGrid>(constructGrid(walls, params.grid));
+  Walls walls = limitCells(detectWalls(*map, params.walls), params.grid);
+  auto grid = std::make_shared<const AGrid>(constructGrid(walls));
   return {std::move(map), std::move(walls), std::move(grid)};
 }
 

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "agrid/grid/wall_detection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+#include "agrid/grid/main_direction.h"
+#include "grid/edge_frame.h"
+#include "grid/edge_image.h"
+
+namespace agrid {
+namespace {
+
+/// A line that the Hough transform returned, by its distance from the image's left or top edge.
+struct Candidate {
+  double offset_px = 0;
+  int votes = 0;
+};
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::invalid_argument("WallParams." + what);
+}
+
+void checkParams(const WallParams& p) {
+  require(p.canny_low >= 0 && p.canny_low <= p.canny_high && std::isfinite(p.canny_high),
+          "canny_low: " + std::to_string(p.canny_low) + " is not in [0, canny_high]");
+  require(p.min_threshold_votes >= 0,
+          "min_threshold_votes: " + std::to_string(p.min_threshold_votes) + " is below 0");
+  require(p.max_threshold_votes > p.min_threshold_votes,
+          "max_threshold_votes: " + std::to_string(p.max_threshold_votes) +
+              " is not above min_threshold_votes");
+  require(p.threshold_step_votes >= 1,
+          "threshold_step_votes: " + std::to_string(p.threshold_step_votes) + " is below 1");
+  require(p.min_line_distance_px > 0 && std::isfinite(p.min_line_distance_px),
+          "min_line_distance_px: " + std::to_string(p.min_line_distance_px) + " is not above 0");
+  require(p.distance_resolution_px >= 1 && std::isfinite(p.distance_resolution_px),
+          "distance_resolution_px: " + std::to_string(p.distance_resolution_px) + " is below 1");
+  require(std::isfinite(p.direction_deg), "direction_deg: not a finite number");
+}
+
+/// The threshold of the last round.
+int lastThreshold(const WallParams& params) {
+  const int range = params.max_threshold_votes - params.min_threshold_votes - 1;
+  return params.max_threshold_votes -
+         range / params.threshold_step_votes * params.threshold_step_votes;
+}
+
+/// What OpenCV's distances lack to be distances from the edge of the image. It measures from the
+/// centre of the first pixel, and takes half a bin too much where the number of bins is even.
+double offsetOfFirstBin(const cv::Mat& edges, double resolution_px) {
+  const int bins = cvRound((2.0 * (edges.cols + edges.rows) + 1) / resolution_px);
+  return 0.5 + (bins % 2 == 0 ? resolution_px / 2 : 0);
+}
+
+/// Alg. 1, lines 3, 4 and 6 for one of the two angles. The accumulator is the same in each round,
+/// so one transform with the last round's threshold returns all that the rounds return. Each angle
+/// has its own transform because OpenCV keeps a line only if it beats its neighbours in distance
+/// and angle: among two angles, a wall at x = 100 would hide a weaker one at y = 100.
+/// @return most votes first
+std::vector<Candidate> findCandidates(const cv::Mat& edges, double angle,
+                                      const WallParams& params) {
+  constexpr double kAngleResolution = CV_PI / 2;
+  const double resolution_px = params.distance_resolution_px;
+  std::vector<cv::Vec3f> lines;
+  cv::HoughLines(edges, lines, resolution_px, kAngleResolution, lastThreshold(params), 0, 0, angle,
+                 angle + 0.75 * kAngleResolution);
+  const double first_px = offsetOfFirstBin(edges, resolution_px);
+  std::vector<Candidate> candidates;
+  candidates.reserve(lines.size());
+  for (const cv::Vec3f& line : lines) {
+    candidates.push_back({line[0] + first_px, static_cast<int>(line[2])});
+  }
+  return candidates;
+}
+
+/// Alg. 1, lines 2, 5 and 7 to 15, for the lines of one direction. A candidate is looked at once,
+/// in the first round whose threshold it exceeds: once refused it would be refused in all later
+/// rounds, as the lines taken only become more and the distance asked for only grows.
+std::vector<Candidate> acceptCandidates(const std::vector<Candidate>& candidates, double extent_px,
+                                        const WallParams& params) {
+  std::map<double, int> taken{{0, 0}, {extent_px, 0}};  // the map's edges
+  auto candidate = candidates.begin();
+  for (int threshold = params.max_threshold_votes; threshold > params.min_threshold_votes;
+       threshold -= params.threshold_step_votes) {
+    const double min_distance = std::max(
+        static_cast<double>(params.max_threshold_votes) / threshold, params.min_line_distance_px);
+    for (; candidate != candidates.end() && candidate->votes > threshold; ++candidate) {
+      const auto above = taken.lower_bound(candidate->offset_px);
+      if (above == taken.end() || above == taken.begin()) continue;
+      const double below_px = candidate->offset_px - std::prev(above)->first;
+      const double above_px = above->first - candidate->offset_px;
+      if (std::min(below_px, above_px) >= min_distance) {
+        taken.emplace_hint(above, candidate->offset_px, candidate->votes);
+      }
+    }
+  }
+  std::vector<Candidate> accepted;
+  for (const auto& [offset_px, votes] : taken) accepted.push_back({offset_px, votes});
+  return {accepted.begin() + 1, accepted.end() - 1};
+}
+
+}  // namespace
+
+Walls detectWalls(const OccupancyMap& map, const WallParams& params) {
+  checkParams(params);
+  const MapGeometry& geometry = map.geometry();
+  const cv::Mat edges = detectEdges(map, params);
+  const double direction = params.estimate_direction ? mainDirection(sampleEdges(edges))
+                                                     : foldDirection(params.direction_deg);
+  const EdgeFrame frame = edgeFrame(geometry, direction);
+  const cv::Mat turned = turnEdges(edges, frame);
+  const auto find = [&](double angle, double extent_px) {
+    return acceptCandidates(findCandidates(turned, angle, params), extent_px, params);
+  };
+
+  Walls walls;
+  walls.map_from_grid = geometry.map_from_image * frame.image_from_grid;
+  walls.extent = frame.extent_px * geometry.resolution;
+  for (const Candidate& line : find(0, frame.extent_px.x())) {
+    walls.vertical.push_back({line.offset_px * geometry.resolution, line.votes});
+  }
+  for (const Candidate& line : find(CV_PI / 2, frame.extent_px.y())) {
+    walls.horizontal.push_back(
+        {(frame.extent_px.y() - line.offset_px) * geometry.resolution, line.votes});
+  }
+  std::reverse(walls.horizontal.begin(), walls.horizontal.end());
+  if (walls.vertical.empty() && walls.horizontal.empty()) {
+    walls.warnings.push_back("no wall line found: the grid has one cell");
+  }
+  return walls;
+}
+
+}  // namespace agrid
