@@ -26,9 +26,10 @@ class FileError : public std::runtime_error {
 /// A map_server map as read from its files.
 struct LoadedMap {
   /// What a subscriber of map_server's message gets: resolution in single precision, yaw from the
-  /// single-precision quaternion.
+  /// quaternion below.
   OccupancyGrid grid;
-  float yaw = 0;  ///< the YAML's yaw [rad], of which map_server makes the message's quaternion
+  float orientation_z = 0;  ///< of the origin's quaternion in map_server's message; x and y are 0
+  float orientation_w = 1;
   std::vector<std::string> warnings;  ///< what was accepted but looks wrong
 };
 
