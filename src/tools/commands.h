@@ -23,6 +23,7 @@ struct Command {
 };
 
 Command generateCommand();  ///< draws an office
+Command planCommand();      ///< answers start-goal pairs
 
 /// Runs the command line tool. Results go to standard output, all else to standard error.
 /// @param arguments  as main's, the program's name first

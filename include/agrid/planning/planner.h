@@ -18,7 +18,7 @@ namespace agrid {
 enum class Clearance {
   kCostmap,  ///< centre farther than the radius from the nearest obstacle pixel's centre
              ///< (costmap_2d)
-  kStrict    ///< no point of the pixel closer than the radius to an obstacle pixel's square
+  kStrict    ///< every point of the pixel farther than the radius from every obstacle's square
 };
 
 struct PlannerParams {
@@ -27,7 +27,11 @@ struct PlannerParams {
   bool allow_unknown = false;     ///< unknown space is no obstacle
   double timeout = 5;             ///< [s], at most 60
   std::string planner = "AGrid";  ///< or a geometric planner of OMPL such as RRTConnect
+  double turning_radius = 0;      ///< [m]; only 0, turning on the spot, can be planned for
 };
+
+/// Every name that `PlannerParams::planner` and `PlanRequest::planner` may have, sorted.
+std::vector<std::string> plannerNames();
 
 /// A pose for planning: without a heading any one will do.
 struct PlanPoint {
@@ -44,11 +48,12 @@ struct AreaGoal {
 struct PlanRequest {
   PlanPoint start;
   std::variant<PlanPoint, AreaGoal> goal;
-  double tolerance = 0;                ///< how far start and goal may be moved to free space [m]
-  std::optional<double> robot_radius;  ///< [m]; none: the parameter
-  std::optional<double> timeout;       ///< [s]; none: the parameter
-  std::optional<std::string> planner;  ///< none: the parameter
-  std::uint32_t seed = 0;
+  double tolerance = 0;                  ///< how far start and goal may be moved to free space [m]
+  std::optional<double> robot_radius;    ///< [m], 0 is a point; none: the parameter
+  std::optional<double> turning_radius;  ///< [m]; none: the parameter
+  std::optional<double> timeout;         ///< [s], in (0, 60]; none: the parameter
+  std::optional<std::string> planner;    ///< none: the parameter
+  std::uint32_t seed = 0;                ///< same request, same seed: same path
   const std::atomic<bool>* cancelled = nullptr;  ///< checked while planning
 };
 
@@ -69,26 +74,47 @@ const char* toString(PlanStatus status);
 struct Plan {
   PlanStatus status = PlanStatus::kSuccess;
   std::string message;               ///< why, for a person
-  Route route;                       ///< areas and doors that the path crosses
+  Route route;                       ///< areas and doors that the path really crosses
   std::vector<std::uint32_t> cells;  ///< cells that the path crosses, row-major indices, in order
-  std::vector<Pose2> path_map;       ///< corners of the path; headings along it, the last as asked
-  double length = 0;                 ///< [m]
-  double length_bound = 0;           ///< no path is shorter [m]
-  double clearance = 0;              ///< smallest distance to an obstacle along the path [m]
+  /// Corners of the path on a lattice of 1/32768 pixel; headings along it, the first and the last
+  /// as asked. One pose where start and goal are the same.
+  std::vector<Pose2> path_map;
+  double length = 0;        ///< [m]
+  double length_bound = 0;  ///< no path is shorter [m]
+  /// Smallest distance from the path to an obstacle pixel's square [m]: exact up to 64 pixels,
+  /// beyond it too small by at most 1.42; infinite without obstacles.
+  double clearance = 0;
   bool start_moved = false;
   bool goal_moved = false;
   double planning_time = 0;  ///< [s]
 };
 
-/// Plans on two levels, areas first, then the path through their cells; exact with respect to the
-/// metric map. Safe to use from several threads at once.
+/// The first level of a plan alone.
+struct RouteList {
+  PlanStatus status = PlanStatus::kSuccess;
+  std::string message;        ///< why, for a person
+  std::vector<Route> routes;  ///< shortest first, by straight lines from door to door
+};
+
+/// Plans on two levels, areas first, then the path through their cells. Exact with respect to the
+/// metric map: every pixel that a returned path touches is free for the robot's radius, closed
+/// doors are obstacles, and kNoRoute is returned only where the free pixels do not connect start
+/// and goal (by their sides; diagonally where both pixels beside are free). The map's outermost
+/// ring of pixels is never free. Safe to use from several threads at once.
 class Planner {
  public:
-  /// @throws std::invalid_argument if a parameter is out of range
+  /// Prepares the parameters' radius; others are prepared when asked for, the last few are kept.
+  /// @throws std::invalid_argument if a parameter is out of range or `map` is null
   Planner(std::shared_ptr<const SemanticMap> map, const PlannerParams& params);
   ~Planner();
 
   Plan plan(const PlanRequest& request) const;
+
+  /// Routes that differ in their doors; each of them can really be driven with the request's
+  /// radius, and kSuccess is returned exactly where `plan` finds a path. An area without a name in
+  /// the way, such as free space that belongs to no area, is left out of the routes.
+  /// @param max_routes  at least 1; 0 is taken as 1
+  RouteList routes(const PlanRequest& request, std::size_t max_routes) const;
 
  private:
   struct Impl;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "planning/lead.h"
+#include "planning/obstacles.h"
+#include "planning/radius_level.h"
+
+namespace agrid::planning {
+
+/// Where a path can start or end.
+struct Endpoint {
+  FinePoint point;
+  std::uint32_t node = kNoNode;  ///< of RadiusLevel::cells
+  std::uint32_t component = 0;
+  bool moved = false;
+  double shift_px = 0;  ///< how far it was moved
+};
+
+/// The places that can stand for a requested one: itself if it is free, else the nearest centre of
+/// a free pixel within the tolerance for each component, so that a move never causes a false 'no'.
+struct EndpointChoice {
+  std::vector<Endpoint> places;  ///< nearest first
+  std::string problem;           ///< why there is none
+};
+
+EndpointChoice chooseEndpoints(const RadiusLevel& level, const Obstacles& obstacles,
+                               const Point2& point_map, double tolerance);
+
+/// The pair of places in one component that is moved least; none if there is no such pair.
+std::optional<std::pair<Endpoint, Endpoint>> connectedPair(const EndpointChoice& start,
+                                                           const EndpointChoice& goal);
+
+/// The pixels of an area, as a target, as far as a component reaches them.
+/// @param label  1 + index into AreaMap::areas
+/// @param box  of the area's pixels
+Target areaTarget(const RadiusLevel& level, const std::vector<std::uint16_t>& pixel_labels,
+                  std::uint16_t label, const PixelBox& box);
+
+}  // namespace agrid::planning

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/free_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planning/pixel_walk.h"
+#include "planning/squared_distance.h"
+
+namespace agrid::planning {
+namespace {
+
+/// A touched pixel's centre lies at most sqrt(2)/2 from the segment, at both ends of a jump.
+constexpr double kTwoHalfDiagonals = 1.4143;
+
+}  // namespace
+
+FreeSpace::FreeSpace(const MapGeometry& geometry,
+                     std::shared_ptr<const std::vector<std::int32_t>> squared_distances,
+                     double robot_radius)
+    : geometry_(geometry), squared_distances_(std::move(squared_distances)) {
+  radius_px_ = std::round(robot_radius / geometry.resolution * 1e6) / 1e6;
+  limit_ = static_cast<std::int32_t>(
+      std::min(std::floor(radius_px_ * radius_px_), static_cast<double>(kFarSquared)));
+}
+
+bool FreeSpace::canSee(FinePoint a, FinePoint b) const {
+  const SegmentRaster raster(a, b);
+  const double columns_per_px = 1 / raster.stretch();
+  for (int c = raster.first();;) {
+    const SegmentRaster::Rows rows = raster.touched(c);
+    for (int r = rows.low; r <= rows.high; ++r) {
+      if (!isFree(raster.pixel(c, r))) return false;
+    }
+    const int left = (raster.last() - c) * raster.step();
+    if (left <= 0) return true;
+    const double distance = std::sqrt(squaredDistance(raster.pixel(c, rows.low)));
+    const double safe = (distance - radius_px_ - kTwoHalfDiagonals) * columns_per_px - 1;
+    const int skipped = safe < 1 ? 0 : static_cast<int>(std::min(safe, 1e9));
+    if (skipped >= left) {
+      // The ring is no obstacle of the distances; the last column, checked, keeps it out for all.
+      c = raster.last();
+      continue;
+    }
+    c += (skipped + 1) * raster.step();
+  }
+}
+
+}  // namespace agrid::planning

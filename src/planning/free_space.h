@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "agrid/map/map_geometry.h"
+#include "planning/fine_point.h"
+
+namespace agrid::planning {
+
+/// Where a robot's centre may be: the one predicate of the search, of OMPL's validity checker and
+/// of the tests. A pixel is free if its squared distance to the obstacles is greater than the
+/// squared radius (in pixels, radius / resolution rounded to 1e-6, since a message's resolution is
+/// a float32) and it does not lie on the map's outermost ring.
+class FreeSpace {
+ public:
+  /// @param squared_distances  of every pixel to the obstacles [px^2], see obstacleDistances
+  /// @param robot_radius  [m]
+  FreeSpace(const MapGeometry& geometry,
+            std::shared_ptr<const std::vector<std::int32_t>> squared_distances,
+            double robot_radius);
+
+  const MapGeometry& geometry() const { return geometry_; }
+  double radiusPx() const { return radius_px_; }
+
+  bool isFree(Pixel p) const {
+    return p.x > 0 && p.y > 0 && p.x < geometry_.width - 1 && p.y < geometry_.height - 1 &&
+           squaredDistance(p) > limit_;
+  }
+  /// Of a pixel that the map contains [px^2].
+  std::int32_t squaredDistance(Pixel p) const { return (*squared_distances_)[geometry_.index(p)]; }
+
+  /// Whether every pixel whose closed square the segment touches is free. Exact: decided in
+  /// integers, and pixels are passed over only where the distances prove them free. Free pixels are
+  /// thereby connected by their sides; a diagonal step needs both pixels beside it.
+  bool canSee(FinePoint a, FinePoint b) const;
+
+ private:
+  MapGeometry geometry_;
+  std::shared_ptr<const std::vector<std::int32_t>> squared_distances_;
+  double radius_px_ = 0;
+  std::int32_t limit_ = 0;  ///< free if the squared distance is greater
+};
+
+}  // namespace agrid::planning

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "planning/fine_point.h"
+#include "planning/pixel_walk.h"
+#include "planning/squared_distance.h"
+
+namespace agrid::planning {
+namespace {
+
+/// A jamb that ends short of its wall by up to so many pixels is taken to it, so that nothing slips
+/// past a closed door.
+constexpr int kJambReachPx = 3;
+
+/// Marks the eight neighbours of every marked pixel: the distance to the nearest mark is then the
+/// distance between the pixels' squares, max(|dx| - 1, 0)^2 + max(|dy| - 1, 0)^2.
+void widenByOnePixel(const MapGeometry& geometry, std::vector<std::uint8_t>& marked) {
+  const auto width = static_cast<std::size_t>(geometry.width);
+  const auto height = static_cast<std::size_t>(geometry.height);
+  std::vector<std::uint8_t> along(marked);
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    const std::size_t x = i % width;
+    if (x > 0) along[i] |= marked[i - 1];
+    if (x + 1 < width) along[i] |= marked[i + 1];
+  }
+  marked = along;
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    if (i >= width) marked[i] |= along[i - width];
+    if (i + width < width * height) marked[i] |= along[i + width];
+  }
+}
+
+/// The part of a segment that lies within the map; none if it lies outside or is not finite.
+std::optional<Segment> clipped(const MapGeometry& geometry, const Point2& a, const Point2& b) {
+  const Point2 low(-0.5, -0.5);
+  const Point2 high(geometry.width - 0.5, geometry.height - 0.5);
+  double from = 0;
+  double to = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double step = b[axis] - a[axis];
+    if (!std::isfinite(step)) return std::nullopt;
+    if (step == 0) {
+      if (a[axis] < low[axis] || a[axis] > high[axis]) return std::nullopt;
+      continue;
+    }
+    const double t0 = (low[axis] - a[axis]) / step;
+    const double t1 = (high[axis] - a[axis]) / step;
+    from = std::max(from, std::min(t0, t1));
+    to = std::min(to, std::max(t0, t1));
+  }
+  if (from > to) return std::nullopt;
+  return Segment{a + from * (b - a), a + to * (b - a)};
+}
+
+}  // namespace
+
+Obstacles::Obstacles(const SemanticMap& map, bool allow_unknown)
+    : map_(&map.map()), allow_unknown_(allow_unknown) {
+  for (const Door& door : map.area_map.doors) {
+    if (door.state == DoorState::kClosed) close(door.jambs_map);
+  }
+  std::sort(door_pixels_.begin(), door_pixels_.end());
+  door_pixels_.erase(std::unique(door_pixels_.begin(), door_pixels_.end()), door_pixels_.end());
+}
+
+bool Obstacles::blockedInMap(std::size_t pixel_index) const {
+  const Occupancy occupancy = map_->pixels()[pixel_index];
+  return occupancy == Occupancy::kOccupied || (occupancy == Occupancy::kUnknown && !allow_unknown_);
+}
+
+bool Obstacles::at(std::size_t pixel_index) const {
+  return blockedInMap(pixel_index) ||
+         std::binary_search(door_pixels_.begin(), door_pixels_.end(), pixel_index);
+}
+
+void Obstacles::close(const Segment& jambs_map) {
+  const MapGeometry& geometry = map_->geometry();
+  const auto jambs = clipped(geometry, pixelCoordinates(geometry, jambs_map.a),
+                             pixelCoordinates(geometry, jambs_map.b));
+  if (!jambs) return;
+  const Point2 a = jambs->a;
+  const Point2 b = jambs->b;
+  const auto blockPixel = [&](Pixel p) {
+    if (geometry.contains(p)) door_pixels_.push_back(geometry.index(p));
+    return true;
+  };
+  const auto isOpen = [&](const Point2& p) {
+    const Pixel pixel{static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+    return geometry.contains(pixel) && !blockedInMap(geometry.index(pixel));
+  };
+  const double length = (b - a).norm();
+  const Point2 step = length > 0 ? Point2((b - a) / length) : Point2(Point2::Zero());
+  const auto reach = [&](Point2 end, const Point2& outwards) {
+    for (int i = 0; i < kJambReachPx && isOpen(end); ++i) end += outwards;
+    return end;
+  };
+  const auto inside = clipped(geometry, reach(a, -step), reach(b, step));
+  if (inside) walkTouched(finePoint(inside->a), finePoint(inside->b), blockPixel);
+}
+
+std::vector<std::uint8_t> Obstacles::mask() const {
+  std::vector<std::uint8_t> mask(map_->pixels().size());
+  for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = blockedInMap(i) ? 1 : 0;
+  for (const std::size_t i : door_pixels_) mask[i] = 1;
+  return mask;
+}
+
+std::vector<std::int32_t> obstacleDistances(const MapGeometry& geometry, const Obstacles& obstacles,
+                                            Clearance clearance, const StopCheck& stop) {
+  std::vector<std::uint8_t> mask = obstacles.mask();
+  if (clearance == Clearance::kStrict) widenByOnePixel(geometry, mask);
+  return squaredDistances(geometry, mask, stop);
+}
+
+}  // namespace agrid::planning

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "agrid/planning/planner.h"
+#include "planning/stop.h"
+
+namespace agrid::planning {
+
+/// What a robot must keep away from: pixels that are not free (unknown ones unless allowed) and
+/// closed doors.
+class Obstacles {
+ public:
+  Obstacles(const SemanticMap& map, bool allow_unknown);
+
+  bool at(std::size_t pixel_index) const;
+  /// One byte a pixel, row-major, 1 = obstacle.
+  std::vector<std::uint8_t> mask() const;
+  /// Pixels of closed doors that are free in the map, sorted indices.
+  const std::vector<std::size_t>& doorPixels() const { return door_pixels_; }
+
+ private:
+  bool blockedInMap(std::size_t pixel_index) const;
+  void close(const Segment& jambs_map);
+
+  const OccupancyMap* map_;
+  bool allow_unknown_;
+  std::vector<std::size_t> door_pixels_;
+};
+
+/// Squared distance of every pixel to the obstacles [px^2], by the rule of `clearance`: from centre
+/// to centre, or between the pixels' squares.
+std::vector<std::int32_t> obstacleDistances(const MapGeometry& geometry, const Obstacles& obstacles,
+                                            Clearance clearance, const StopCheck& stop = {});
+
+}  // namespace agrid::planning

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/planner_core.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "planning/blocking_doors.h"
+#include "planning/ompl/planner_by_name.h"
+#include "planning/ompl/shorten.h"
+#include "planning/pixel_search.h"
+#include "planning/tighten.h"
+
+namespace agrid::planning {
+namespace {
+
+/// A planner of OMPL that improves its paths may stop at so many times the length of ours.
+constexpr double kGoodEnough = 1.05;
+
+std::vector<PixelBox> areaBoxes(const SemanticMap& map) {
+  const MapGeometry& geometry = map.map().geometry();
+  std::vector<PixelBox> boxes(map.area_map.areas.size());
+  std::size_t i = 0;
+  for (int y = 0; y < geometry.height; ++y) {
+    for (int x = 0; x < geometry.width; ++x, ++i) {
+      const std::uint16_t label = map.area_map.pixel_labels[i];
+      if (label != 0) boxes[label - std::size_t{1}].add({x, y});
+    }
+  }
+  return boxes;
+}
+
+const std::shared_ptr<const SemanticMap>& requireMap(
+    const std::shared_ptr<const SemanticMap>& map) {
+  if (!map) throw std::invalid_argument("Planner: the map is null");
+  return map;
+}
+
+std::shared_ptr<const std::vector<std::int32_t>> distancesOf(const SemanticMap& map,
+                                                             const Obstacles& obstacles,
+                                                             Clearance clearance) {
+  return std::make_shared<const std::vector<std::int32_t>>(
+      obstacleDistances(map.map().geometry(), obstacles, clearance));
+}
+
+std::vector<PixelBox> boxesOf(const PortalGraph& graph, const Lead& lead) {
+  std::vector<PixelBox> boxes;
+  for (const std::uint32_t node : lead.nodes) boxes.push_back(graph.boxOf(node));
+  return boxes;
+}
+
+}  // namespace
+
+PlannerCore::PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerParams& params)
+    : map_(requireMap(map)),
+      obstacles_(*map_, params.allow_unknown),
+      cell_rows_(map_->map().geometry(), map_->grid()),
+      area_boxes_(areaBoxes(*map_)),
+      levels_(*map_, distancesOf(*map_, obstacles_, params.clearance)) {
+  levels_.get(params.robot_radius, {});
+}
+
+Task PlannerCore::taskOf(const PlanRequest& request, const Query& query,
+                         const StopCheck& stop) const {
+  Task task;
+  task.level = levels_.get(query.robot_radius, stop);
+  const EndpointChoice starts =
+      chooseEndpoints(*task.level, obstacles_, request.start.position_map, request.tolerance);
+  const auto* area_goal = std::get_if<AreaGoal>(&request.goal);
+  const std::size_t area = area_goal != nullptr ? areaIndex(area_goal->area) : 0;
+  if (starts.places.empty()) {
+    throw Refusal{PlanStatus::kStartInvalid, "the start " + starts.problem};
+  }
+  if (area_goal == nullptr) {
+    const auto& goal = std::get<PlanPoint>(request.goal);
+    task.goal_yaw = goal.yaw;
+    return taskToPoint(std::move(task), starts, goal.position_map, request.tolerance);
+  }
+  if (area_goal->at_anchor) {
+    const Point2& anchor = map_->area_map.areas[area].anchor_map;
+    return taskToPoint(std::move(task), starts, anchor, request.tolerance);
+  }
+  return taskToArea(std::move(task), starts, area_goal->area);
+}
+
+Task PlannerCore::taskToPoint(Task task, const EndpointChoice& starts, const Point2& goal_map,
+                              double tolerance) const {
+  const EndpointChoice goals = chooseEndpoints(*task.level, obstacles_, goal_map, tolerance);
+  if (goals.places.empty()) {
+    throw Refusal{PlanStatus::kGoalInvalid, "the goal " + goals.problem};
+  }
+  const auto pair = connectedPair(starts, goals);
+  if (!pair) {
+    throw Refusal{PlanStatus::kNoRoute,
+                  explainNoRoute(*map_, *task.level, starts.places.front().component,
+                                 goals.places.front().component)};
+  }
+  task.start = pair->first;
+  task.target.point = pair->second.point;
+  task.target.nodes = {pair->second.node};
+  task.target.box.add(pair->second.point.pixel());
+  task.goal_moved = pair->second.moved;
+  return task;
+}
+
+Task PlannerCore::taskToArea(Task task, const EndpointChoice& starts, AreaId id) const {
+  const std::size_t area = areaIndex(id);
+  const std::string& name = map_->area_map.areas[area].name;
+  Target target = areaTarget(*task.level, map_->area_map.pixel_labels,
+                             static_cast<std::uint16_t>(area + 1), area_boxes_[area]);
+  if (target.nodes.empty()) {
+    throw Refusal{PlanStatus::kGoalInvalid,
+                  "the robot's centre fits nowhere in the area '" + name + "'"};
+  }
+  const PortalGraph& cells = task.level->cells;
+  const std::uint32_t first = cells.componentOf(target.nodes.front());
+  for (const Endpoint& place : starts.places) {
+    std::vector<std::uint32_t> reachable;
+    for (const std::uint32_t node : target.nodes) {
+      if (cells.componentOf(node) == place.component) reachable.push_back(node);
+    }
+    if (reachable.empty()) continue;
+    task.start = place;
+    task.target = std::move(target);
+    task.target.nodes = std::move(reachable);
+    return task;
+  }
+  throw Refusal{PlanStatus::kNoRoute,
+                explainNoRoute(*map_, *task.level, starts.places.front().component, first)};
+}
+
+std::size_t PlannerCore::areaIndex(AreaId id) const {
+  const Area* area = findArea(*map_, id);
+  if (area == nullptr) {
+    throw Refusal{PlanStatus::kUnknownName,
+                  "no area has the id " + std::to_string(static_cast<std::uint32_t>(id))};
+  }
+  return static_cast<std::size_t>(area - map_->area_map.areas.data());
+}
+
+PlannerCore::Path PlannerCore::pathOf(const Task& task, const Query& query, std::uint32_t seed,
+                                      const StopCheck& stop) const {
+  const FreeSpace& free = task.level->free;
+  const PortalGraph& cells = task.level->cells;
+  const SearchSpace space{&free, &cells, &map_->area_map.pixel_labels};
+  const Lead lead = findLead(cells, task.start.point, task.start.node, task.target, stop);
+  Path path{searchPixels(space, lead, task.start.point, task.target, stop), lead.length_bound_px};
+  tighten(free, path.corners);
+  if (isOmplPlanner(query.planner) && path.corners.size() > 1) {
+    const OmplQuery ompl{query.planner,
+                         path.corners.front(),
+                         path.corners.back(),
+                         boxesOf(cells, lead),
+                         kGoodEnough * lengthPx(path.corners),
+                         seed};
+    path.corners = planByOmpl(free, ompl, stop);
+    if (path.corners.empty()) {
+      throw Refusal{PlanStatus::kTimeout,
+                    query.planner + " found no path in time, though there is one"};
+    }
+  }
+  shortenByOmpl(free, seed, path.corners);
+  tighten(free, path.corners);
+  return path;
+}
+
+}  // namespace agrid::planning

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "planning/endpoints.h"
+#include "planning/obstacles.h"
+#include "planning/path_facts.h"
+#include "planning/radius_level.h"
+#include "planning/request_check.h"
+
+namespace agrid::planning {
+
+/// A request's ends on the map, once both are known to be connected.
+struct Task {
+  std::shared_ptr<const RadiusLevel> level;
+  Endpoint start;
+  Target target;
+  bool goal_moved = false;
+  std::optional<double> goal_yaw;
+};
+
+/// A normal answer other than success; caught in Planner, never seen outside.
+struct Refusal {
+  PlanStatus status;
+  std::string message;
+};
+
+/// What Planner prepares once for a map, and the steps of an answer.
+class PlannerCore {
+ public:
+  PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerParams& params);
+
+  const SemanticMap& map() const { return *map_; }
+
+  /// The component check: places start and goal, and proves that they are connected.
+  /// @throws Refusal, Stopped
+  Task taskOf(const PlanRequest& request, const Query& query, const StopCheck& stop) const;
+
+  struct Path {
+    std::vector<FinePoint> corners;  ///< each in sight of the next
+    double length_bound_px = 0;      ///< no path is shorter
+  };
+  /// A short path for a task.
+  /// @throws Refusal, Stopped
+  Path pathOf(const Task& task, const Query& query, std::uint32_t seed,
+              const StopCheck& stop) const;
+
+  /// Everything that is said about a path.
+  Plan planOf(const Task& task, const PlanRequest& request, const Path& path) const;
+
+ private:
+  Task taskToPoint(Task task, const EndpointChoice& starts, const Point2& goal_map,
+                   double tolerance) const;
+  Task taskToArea(Task task, const EndpointChoice& starts, AreaId area) const;
+  std::size_t areaIndex(AreaId id) const;
+
+  std::shared_ptr<const SemanticMap> map_;
+  Obstacles obstacles_;
+  CellRows cell_rows_;
+  std::vector<PixelBox> area_boxes_;
+  mutable LevelCache levels_;
+};
+
+}  // namespace agrid::planning

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/portal_graph.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace agrid::planning {
+namespace {
+
+/// A pair of neighbouring pixels in two nodes: side by side, or one above the other.
+struct Pair {
+  Pixel low;
+  Pixel high;
+  std::uint32_t a;
+  std::uint32_t b;
+  std::uint32_t run;
+};
+
+/// Joins pairs of the same two nodes that lie next to each other into runs, row by row.
+class RunBuilder {
+ public:
+  explicit RunBuilder(std::size_t width)
+      : rows_{std::vector<Slot>(width + 2), std::vector<Slot>(width + 2)} {}
+
+  void nextRow() {
+    std::swap(rows_[0], rows_[1]);
+    std::fill(rows_[1].begin(), rows_[1].end(), Slot{});
+  }
+  /// @param upwards  whether b lies above a, else beside it
+  void add(Pixel p, bool upwards, std::uint32_t a, std::uint32_t b) {
+    const auto x = static_cast<std::size_t>(p.x) + 1;
+    std::uint32_t run = kNoNode;
+    for (const Slot* slot :
+         {&rows_[0][x - 1], &rows_[0][x], &rows_[0][x + 1], &rows_[1][x - 1], &rows_[1][x]}) {
+      for (const std::uint32_t pair : slot->pairs) {
+        if (pair == kNoNode || !sameNodes(pairs_[pair], a, b)) continue;
+        if (run != kNoNode) sets_.join(run, pairs_[pair].run);
+        run = pairs_[pair].run;
+      }
+    }
+    if (run == kNoNode) run = sets_.add();
+    rows_[1][x].pairs[upwards ? 1 : 0] = static_cast<std::uint32_t>(pairs_.size());
+    pairs_.push_back({p, upwards ? Pixel{p.x, p.y + 1} : Pixel{p.x + 1, p.y}, a, b, run});
+  }
+  const std::vector<Pair>& pairs() const { return pairs_; }
+  DisjointSets& sets() { return sets_; }
+
+ private:
+  struct Slot {
+    std::array<std::uint32_t, 2> pairs{kNoNode, kNoNode};
+  };
+  static bool sameNodes(const Pair& pair, std::uint32_t a, std::uint32_t b) {
+    return (pair.a == a && pair.b == b) || (pair.a == b && pair.b == a);
+  }
+
+  std::array<std::vector<Slot>, 2> rows_;
+  std::vector<Pair> pairs_;
+  DisjointSets sets_;
+};
+
+std::vector<Portal> portalsFromRuns(RunBuilder& runs) {
+  const std::vector<std::uint32_t> number = runs.sets().numbers();
+  std::vector<std::uint32_t> pair_count(number.size());
+  for (const Pair& pair : runs.pairs()) ++pair_count[number[pair.run]];
+  std::vector<Portal> portals;
+  std::vector<std::uint32_t> seen;
+  for (const Pair& pair : runs.pairs()) {
+    const std::uint32_t i = number[pair.run];
+    if (i >= portals.size()) {
+      portals.resize(i + 1);
+      seen.resize(i + 1);
+    }
+    Portal& portal = portals[i];
+    portal.box.add(pair.low);
+    portal.box.add(pair.high);
+    if (seen[i]++ == pair_count[i] / 2) {
+      portal.middle = pair.low;
+      portal.nodes = {pair.a, pair.b};
+    }
+  }
+  return portals;
+}
+
+}  // namespace
+
+void PixelBox::add(Pixel p) {
+  low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+}
+
+PortalGraph::PortalGraph(const FreeSpace& free, const ClassesOfRow& classes_of_row,
+                         const StopCheck& stop)
+    : node_at_(free.geometry().pixelCount(), kNoNode) {
+  labelNodes(free, classes_of_row, stop);
+  findPortals(free.geometry(), stop);
+  joinComponents();
+  listPortals();
+}
+
+void PortalGraph::labelNodes(const FreeSpace& free, const ClassesOfRow& classes_of_row,
+                             const StopCheck& stop) {
+  const MapGeometry& geometry = free.geometry();
+  const auto width = static_cast<std::size_t>(geometry.width);
+  DisjointSets sets;
+  std::vector<std::uint32_t> class_of_set;
+  std::vector<std::uint32_t> here(width);
+  std::vector<std::uint32_t> below(width);
+  for (int y = 1; y + 1 < geometry.height; ++y) {
+    if (y % 64 == 0) stop.check();
+    std::swap(here, below);
+    classes_of_row(y, here);
+    // Free pixels never lie on the outermost ring, so that each has all four neighbours.
+    for (std::size_t x = 1; x + 1 < width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * width + x;
+      if (!free.isFree({static_cast<int>(x), y})) continue;
+      const std::uint32_t from_left = here[x - 1] == here[x] ? node_at_[i - 1] : kNoNode;
+      const std::uint32_t from_below = below[x] == here[x] ? node_at_[i - width] : kNoNode;
+      node_at_[i] = from_left != kNoNode ? from_left : from_below;
+      if (from_left != kNoNode && from_below != kNoNode) sets.join(from_left, from_below);
+      if (node_at_[i] != kNoNode) continue;
+      node_at_[i] = sets.add();
+      class_of_set.push_back(here[x]);
+    }
+  }
+  numberNodes(geometry, sets, class_of_set);
+}
+
+void PortalGraph::numberNodes(const MapGeometry& geometry, DisjointSets& sets,
+                              const std::vector<std::uint32_t>& class_of_set) {
+  const std::vector<std::uint32_t> number = sets.numbers();
+  std::size_t count = 0;
+  for (const std::uint32_t n : number) count = std::max<std::size_t>(count, n + std::size_t{1});
+  class_of_.resize(count);
+  box_of_.resize(count);
+  for (std::size_t set = 0; set < number.size(); ++set) class_of_[number[set]] = class_of_set[set];
+  const auto width = static_cast<std::size_t>(geometry.width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(geometry.height); ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      std::uint32_t& node = node_at_[y * width + x];
+      if (node == kNoNode) continue;
+      node = number[node];
+      box_of_[node].add({static_cast<int>(x), static_cast<int>(y)});
+    }
+  }
+}
+
+void PortalGraph::findPortals(const MapGeometry& geometry, const StopCheck& stop) {
+  const auto width = static_cast<std::size_t>(geometry.width);
+  RunBuilder runs(width);
+  for (int y = 1; y + 1 < geometry.height; ++y) {
+    if (y % 64 == 0) stop.check();
+    runs.nextRow();
+    for (int x = 1; x + 1 < geometry.width; ++x) {
+      const std::size_t i = geometry.index({x, y});
+      const std::uint32_t node = node_at_[i];
+      if (node == kNoNode) continue;
+      const std::uint32_t right = node_at_[i + 1];
+      const std::uint32_t above = node_at_[i + width];
+      if (right != kNoNode && right != node) runs.add({x, y}, false, node, right);
+      if (above != kNoNode && above != node) runs.add({x, y}, true, node, above);
+    }
+  }
+  portals_ = portalsFromRuns(runs);
+}
+
+void PortalGraph::joinComponents() {
+  DisjointSets sets;
+  for (std::size_t i = 0; i < nodeCount(); ++i) sets.add();
+  for (const Portal& portal : portals_) sets.join(portal.nodes[0], portal.nodes[1]);
+  component_of_ = sets.numbers();
+}
+
+void PortalGraph::listPortals() {
+  portals_from_.assign(nodeCount() + 1, 0);
+  for (const Portal& portal : portals_) {
+    for (const std::uint32_t node : portal.nodes) ++portals_from_[node + 1];
+  }
+  for (std::size_t i = 1; i < portals_from_.size(); ++i) portals_from_[i] += portals_from_[i - 1];
+  portals_of_.resize(2 * portals_.size());
+  std::vector<std::uint32_t> next(portals_from_.begin(), portals_from_.end() - 1);
+  for (std::uint32_t p = 0; p < portals_.size(); ++p) {
+    for (const std::uint32_t node : portals_[p].nodes) portals_of_[next[node]++] = p;
+  }
+}
+
+}  // namespace agrid::planning

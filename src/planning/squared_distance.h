@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "agrid/map/map_geometry.h"
+#include "planning/stop.h"
+
+namespace agrid::planning {
+
+/// Squared distances beyond this one are stored as this one [px^2].
+constexpr std::int32_t kFarSquared = 0x7fffffff;
+
+/// For each pixel the squared distance from its centre to the centre of the nearest marked pixel
+/// [px^2], exact in integers up to kFarSquared (Meijster, Roerdink and Hesselink, "A general
+/// algorithm for computing distance transforms in linear time", 2000).
+/// @param marked  row-major, as large as the map; not 0: marked
+/// @return row-major; kFarSquared everywhere if nothing is marked
+std::vector<std::int32_t> squaredDistances(const MapGeometry& geometry,
+                                           const std::vector<std::uint8_t>& marked,
+                                           const StopCheck& stop = {});
+
+}  // namespace agrid::planning
