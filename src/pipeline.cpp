@@ -6,18 +6,30 @@
 #include "agrid/areas/area_segmentation.h"
 
 namespace agrid {
+namespace {
 
-Structure extractStructure(std::shared_ptr<const OccupancyMap> map, const PipelineParams& params) {
+void tell(const StageListener& on_stage, const char* stage) {
+  if (on_stage) on_stage(stage);
+}
+
+}  // namespace
+
+Structure extractStructure(std::shared_ptr<const OccupancyMap> map, const PipelineParams& params,
+                           const StageListener& on_stage) {
+  tell(on_stage, "walls");
   Walls walls = limitCells(detectWalls(*map, params.walls), params.grid);
+  tell(on_stage, "grid");
   auto grid = std::make_shared<const AGrid>(constructGrid(walls));
   return {std::move(map), std::move(walls), std::move(grid)};
 }
 
 SemanticMap annotate(const Structure& structure, const std::vector<Tag>& given,
-                     const PipelineParams& params) {
+                     const PipelineParams& params, const StageListener& on_stage) {
+  tell(on_stage, "areas");
   std::vector<Tag> tags = given;
   for (Tag& tag : proposeTags(*structure.map, given, params.areas)) tags.push_back(std::move(tag));
   AreaMap area_map = segmentAreas(*structure.map, *structure.grid, tags, params.areas);
+  tell(on_stage, "graph");
   TopologicalGraph graph = buildGraph(area_map);
   return {structure, std::move(tags), std::move(area_map), std::move(graph)};
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "agrid/grid/grid_construction.h"
@@ -17,12 +19,16 @@ struct PipelineParams {
   AreaParams areas;
 };
 
+/// Is told the name of each stage when it begins: walls, grid, areas, graph.
+using StageListener = std::function<void(const std::string&)>;
+
 /// Metric map -> walls -> A-Grid (paper, Fig. 1).
-Structure extractStructure(std::shared_ptr<const OccupancyMap> map, const PipelineParams& params);
+Structure extractStructure(std::shared_ptr<const OccupancyMap> map, const PipelineParams& params,
+                           const StageListener& on_stage = {});
 
 /// A-Grid + tags -> areas, doors, labels -> topological graph (paper, 3.2).
 /// @param given  what people and robots said; automatic tags are added for the rest
 SemanticMap annotate(const Structure& structure, const std::vector<Tag>& given,
-                     const PipelineParams& params);
+                     const PipelineParams& params, const StageListener& on_stage = {});
 
 }  // namespace agrid

@@ -10,7 +10,7 @@
 namespace agrid::tools {
 namespace {
 
-std::vector<Command> allCommands() { return {generateCommand()}; }
+std::vector<Command> allCommands() { return {convertCommand(), generateCommand()}; }
 
 std::string toolHelp(const std::vector<Command>& commands) {
   std::string text =

@@ -22,6 +22,7 @@ struct Command {
   std::function<int(const Arguments&)> run;
 };
 
+Command convertCommand();   ///< map -> areas, doors, graph and their pictures
 Command generateCommand();  ///< draws an office
 Command planCommand();      ///< answers start-goal pairs
 

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
+#include <memory>
+
+#include "agrid/map/map_io.h"
+#include "agrid/pipeline.h"
+#include "grid/edge_image.h"
+#include "tools/commands.h"
+#include "tools/image_frame.h"
+#include "tools/output_directory.h"
+#include "tools/pictures.h"
+#include "tools/pipeline_options.h"
+#include "tools/reports.h"
+#include "tools/stage_meter.h"
+
+namespace agrid::tools {
+namespace {
+
+using Warnings = std::vector<std::string>;
+
+const std::vector<std::string> kFiles{"edges.png",  "walls.png",    "grid.png",   "areas.png",
+                                      "graph.png",  "overview.png", "labels.png", "doors.csv",
+                                      "graph.json", "summary.json"};
+
+void append(Warnings& warnings, const Warnings& more) {
+  warnings.insert(warnings.end(), more.begin(), more.end());
+}
+
+SemanticMap makeMap(const std::string& yaml_path, const ConversionParams& params, StageMeter& meter,
+                    Warnings& warnings) {
+  meter.begin("load");
+  std::shared_ptr<const OccupancyMap> map;
+  {
+    MapFileParams file_params;
+    file_params.max_pixels = params.map.max_pixels;
+    const LoadedMap loaded = loadMap(yaml_path, file_params);
+    append(warnings, loaded.warnings);
+    map = std::make_shared<const OccupancyMap>(loaded.grid, params.map);
+  }
+  const auto on_stage = [&](const std::string& stage) { meter.begin(stage); };
+  const Structure structure = extractStructure(map, params.pipeline, on_stage);
+  SemanticMap semantic_map = annotate(structure, {}, params.pipeline, on_stage);
+  append(warnings, map->warnings());
+  append(warnings, structure.walls.warnings);
+  append(warnings, semantic_map.area_map.warnings);
+  return semantic_map;
+}
+
+void writePictures(const SemanticMap& map, const WallParams& params, OutputDirectory& output) {
+  writePng(output.stagedPath("edges.png"), drawEdges(detectEdges(map.map(), params)));
+  writePng(output.stagedPath("walls.png"), drawWalls(map.structure));
+  writePng(output.stagedPath("grid.png"), drawGrid(map.structure));
+  writePng(output.stagedPath("areas.png"), drawAreas(map));
+  writePng(output.stagedPath("graph.png"), drawGraph(map));
+  writePng(output.stagedPath("overview.png"), drawOverview(map));
+}
+
+int convert(const Arguments& arguments) {
+  const ConversionParams params = conversionParams(arguments);
+  OutputDirectory output(arguments.value("output"), kFiles, arguments.has("force"));
+  StageMeter meter("convert");
+  Warnings warnings;
+  const SemanticMap map = makeMap(arguments.operand(0), params, meter, warnings);
+  const MapGeometry& geometry = map.map().geometry();
+  meter.begin("write");
+  writePictures(map, params.pipeline.walls, output);
+  writePng(output.stagedPath("labels.png"), labelImage(map.area_map.pixel_labels, geometry));
+  writeText(output.stagedPath("doors.csv"), segmentsCsv(doorSegments(map.area_map), geometry));
+  writeText(output.stagedPath("graph.json"), graphJson(map));
+  meter.end();
+  writeText(output.stagedPath("summary.json"), summaryJson(map, meter.costs(), warnings));
+  output.publish();
+  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
+  std::cout << arguments.operand(0) << ": " << map.grid().cellCount() << " cells, "
+            << map.area_map.areas.size() << " areas, " << map.area_map.doors.size() << " doors\n";
+  return kDone;
+}
+
+}  // namespace
+
+Command convertCommand() {
+  Syntax syntax;
+  syntax.command = "convert";
+  syntax.summary = "Finds walls, cells, areas and doors of a map_server map, and draws them.";
+  syntax.operands = {"MAP.yaml"};
+  syntax.options = {
+      {"output", 'o', "DIR", "directory to write to; made if missing", true},
+      {"force", 0, "", "replace files that exist"},
+  };
+  for (const Option& option : pipelineOptions()) syntax.options.push_back(option);
+  return {syntax, convert};
+}
+
+}  // namespace agrid::tools
