@@ -5,10 +5,13 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "tags/basins.h"
 #include "tags/disjoint_sets.h"
 
 namespace agrid {
 namespace {
+
+constexpr int kMaxGap_px = 3;
 
 /// Splits the points from `begin` to `end`, all of one pair of areas.
 void splitPair(const BorderPoint* begin, const BorderPoint* end, const MapGeometry& geometry,
@@ -22,8 +25,8 @@ void splitPair(const BorderPoint* begin, const BorderPoint* end, const MapGeomet
   }
   for (std::uint32_t i = 0; i < count; ++i) {
     const Pixel p = geometry.pixel(begin[i].pixel);
-    for (int y = p.y; y <= p.y + 2; ++y) {
-      for (int x = p.x - 2; x <= p.x + 2; ++x) {
+    for (int y = p.y; y <= p.y + kMaxGap_px; ++y) {
+      for (int x = p.x - kMaxGap_px; x <= p.x + kMaxGap_px; ++x) {
         if (!geometry.contains({x, y})) continue;
         const auto near = at_pixel.find(geometry.index({x, y}));
         if (near != at_pixel.end()) sets.unite(i, near->second);
@@ -40,12 +43,13 @@ void splitPair(const BorderPoint* begin, const BorderPoint* end, const MapGeomet
 
 }  // namespace
 
-std::vector<BorderPoint> findBorderPoints(const AreaLabels& labels, const MapGeometry& geometry) {
+std::vector<BorderPoint> findBorderPoints(const std::vector<std::uint32_t>& labels,
+                                          const MapGeometry& geometry) {
   std::vector<BorderPoint> points;
   const auto compare = [&](std::size_t i, std::size_t j) {
-    const std::uint32_t a = labels.of_pixel[i];
-    const std::uint32_t b = labels.of_pixel[j];
-    if (a == b || a == AreaLabels::kNone || b == AreaLabels::kNone) return;
+    const std::uint32_t a = labels[i];
+    const std::uint32_t b = labels[j];
+    if (a == b || a == Basins::kNone || b == Basins::kNone) return;
     points.push_back({std::min(a, b), std::max(a, b), i, j});
   };
   for (int y = 0; y < geometry.height; ++y) {

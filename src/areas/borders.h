@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "agrid/map/map_geometry.h"
-#include "areas/area_labels.h"
 
 namespace agrid {
 
@@ -26,13 +25,15 @@ struct BorderPoint {
 };
 
 /// All of them, sorted by the areas, then by place.
-std::vector<BorderPoint> findBorderPoints(const AreaLabels& labels, const MapGeometry& geometry);
+/// @param labels  row-major: the number of each pixel's area, or Basins::kNone
+std::vector<BorderPoint> findBorderPoints(const std::vector<std::uint32_t>& labels,
+                                          const MapGeometry& geometry);
 
 /// A connected piece of the border between two areas.
 using Stretch = std::vector<BorderPoint>;
 
 /// Splits border points as findBorderPoints returns them into stretches, whose points are at most
-/// two pixels apart.
+/// three pixels apart.
 std::vector<Stretch> splitIntoStretches(const std::vector<BorderPoint>& points,
                                         const MapGeometry& geometry);
 

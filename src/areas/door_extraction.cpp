@@ -76,7 +76,7 @@ class DoorFinder {
       for (const std::size_t pixel : relief_.barriers[i].pixels) barrier_of.emplace(pixel, i);
     }
     at_barrier_.resize(relief_.barriers.size());
-    for (const BorderPoint& point : findBorderPoints(labels_, geometry_)) {
+    for (const BorderPoint& point : findBorderPoints(labels_.of_pixel, geometry_)) {
       auto barrier = barrier_of.find(point.pixel);
       if (barrier == barrier_of.end()) barrier = barrier_of.find(point.other);
       (barrier == barrier_of.end() ? open_points_ : at_barrier_[barrier->second]).push_back(point);

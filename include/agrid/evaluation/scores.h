@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "agrid/geometry/segment.h"
+#include "agrid/map/occupancy_map.h"
+
+namespace agrid {
+
+/// How well areas agree with rooms drawn by people; all in [0, 1] but for mcc in [-1, 1].
+struct AreaScores {
+  double iou_all = 0;  ///< mean intersection over union of the best one-to-one pairs; rooms and
+                       ///< areas without a partner count 0
+  double f1_50 = 0;  ///< F1 of these pairs, those of at least 0.5 being hits
+  double mcc = 0;  ///< mean Matthews correlation of each pair over pixels labelled in both (Mielle
+                   ///< et al. 2018); rooms and areas without a partner count 0
+  std::size_t areas = 0;  ///< areas that were counted
+  std::size_t rooms = 0;  ///< rooms that were counted
+};
+
+/// Compares areas with rooms on the free pixels of a map. For iou_all and f1_50 areas of at most
+/// 100 pixels are left out, for all of them rooms of at most 100 pixels (Bormann et al. 2016).
+/// @param labels  row-major like the map: 0 = no area, k = area k
+/// @param rooms  row-major like the map: 0 = no room, k = room k, under furniture too
+/// @throws std::invalid_argument if the sizes differ
+AreaScores scoreAreas(const OccupancyMap& map, const std::vector<std::uint16_t>& labels,
+                      const std::vector<std::uint16_t>& rooms);
+
+/// How well doors agree with the borders between rooms drawn by people.
+struct DoorScores {
+  double precision = 0;
+  double recall = 0;
+  std::size_t doors = 0;    ///< doors that were compared
+  std::size_t borders = 0;  ///< borders between rooms
+};
+
+/// Compares doors with rooms. The rooms are grown through the free pixels of the map until they
+/// meet; each connected stretch of border between two, at least 0.2 m long, is a true door. It is
+/// found if the middle of a door lies within `tolerance` of it; pairs are one to one.
+/// @param map  without furniture
+/// @param rooms  see scoreAreas
+/// @param tolerance  [m]
+/// @throws std::invalid_argument if the sizes differ
+DoorScores scoreDoors(const OccupancyMap& map, const std::vector<Segment>& doors_map,
+                      const std::vector<std::uint16_t>& rooms, double tolerance = 0.5);
+
+}  // namespace agrid
