@@ -85,12 +85,14 @@ class DoorFinder {
 
   double heightAt(std::size_t pixel) const { return relief_.height.ptr<float>()[pixel]; }
 
+  /// The lower pixel of the border's highest point.
   std::size_t farthestFromWalls(const Stretch& stretch) const {
-    std::size_t farthest = stretch.front().pixel;
+    const auto lower = [&](const BorderPoint& point) {
+      return heightAt(point.pixel) <= heightAt(point.other) ? point.pixel : point.other;
+    };
+    std::size_t farthest = lower(stretch.front());
     for (const BorderPoint& point : stretch) {
-      for (const std::size_t pixel : {point.pixel, point.other}) {
-        if (heightAt(pixel) > heightAt(farthest)) farthest = pixel;
-      }
+      if (heightAt(lower(point)) > heightAt(farthest)) farthest = lower(point);
     }
     return farthest;
   }
