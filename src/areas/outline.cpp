@@ -57,8 +57,11 @@ Polygon traceOutline(const cv::Mat1b& shape) {
   std::vector<cv::Point> pixels;
   cv::findNonZero(part, pixels);
   if (pixels.empty()) return {};
-  std::vector<cv::Point> corners;
-  cv::approxPolyDP(traceCorners(part, pixels.front()), corners, kTolerance_px, true);
+  std::vector<cv::Point> corners = traceCorners(part, pixels.front());
+  std::vector<cv::Point> simplified;
+  cv::approxPolyDP(corners, simplified, kTolerance_px, true);
+  // a shape as thin as the tolerance would collapse
+  if (cv::contourArea(simplified) > 0.9 * cv::contourArea(corners)) corners = simplified;
   Polygon outline;
   for (const cv::Point& corner : corners) outline.emplace_back(corner.x, corner.y);
   return outline;
