@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace agrid {
 namespace {
@@ -46,6 +47,11 @@ EdgeFrame edgeFrame(const MapGeometry& geometry, double direction) {
   }
   const Pose2 turn{Point2::Zero(), direction};
   return {{turn * lowest * geometry.resolution, direction}, highest - lowest, geometry.resolution};
+}
+
+double maxTurnedPixels(const MapGeometry& geometry) {
+  const double in_proportion = 16 * static_cast<double>(geometry.pixelCount()) + 1e6;
+  return std::min(in_proportion, static_cast<double>(std::numeric_limits<int>::max()));
 }
 
 std::vector<Point2> sampleEdges(const cv::Mat& edges) {

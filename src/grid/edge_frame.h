@@ -21,6 +21,10 @@ struct EdgeFrame {
 /// holds the map.
 EdgeFrame edgeFrame(const MapGeometry& geometry, double direction);
 
+/// Size of the largest turned image that turnEdges should be asked for: OpenCV counts its pixels in
+/// 32 bits, and memory must stay in proportion to the map.
+double maxTurnedPixels(const MapGeometry& geometry);
+
 /// A direction of walls [deg] as radians in (-pi/4, pi/4]; walls are alike every 90 degrees.
 double foldDirection(double direction_deg);
 

@@ -38,8 +38,8 @@ void checkParams(const WallParams& p) {
           "threshold_step_votes: " + std::to_string(p.threshold_step_votes) + " is below 1");
   require(p.min_line_distance_px > 0 && std::isfinite(p.min_line_distance_px),
           "min_line_distance_px: " + std::to_string(p.min_line_distance_px) + " is not above 0");
-  require(p.distance_resolution_px >= 1 && std::isfinite(p.distance_resolution_px),
-          "distance_resolution_px: " + std::to_string(p.distance_resolution_px) + " is below 1");
+  require(p.distance_resolution_px >= 0.5 && std::isfinite(p.distance_resolution_px),
+          "distance_resolution_px: " + std::to_string(p.distance_resolution_px) + " is below 0.5");
   require(std::isfinite(p.direction_deg), "direction_deg: not a finite number");
 }
 
@@ -104,29 +104,40 @@ std::vector<Candidate> acceptCandidates(const std::vector<Candidate>& candidates
   return {accepted.begin() + 1, accepted.end() - 1};
 }
 
+/// The frame to lay the grid in. A long map cannot be turned at will: its bounding rectangle may
+/// be any number of times larger than the map.
+EdgeFrame gridFrame(const MapGeometry& geometry, double direction,
+                    std::vector<std::string>& warnings) {
+  const EdgeFrame frame = edgeFrame(geometry, direction);
+  if (frame.extent_px.prod() <= maxTurnedPixels(geometry)) return frame;
+  warnings.push_back("the map is too long to lay a grid at " +
+                     std::to_string(direction * 180 / CV_PI) + " degrees: it lies along the image");
+  return edgeFrame(geometry, 0);
+}
+
 }  // namespace
 
 Walls detectWalls(const OccupancyMap& map, const WallParams& params) {
   checkParams(params);
-  const MapGeometry& geometry = map.geometry();
+  const double resolution = map.geometry().resolution;
   const cv::Mat edges = detectEdges(map, params);
   const double direction = params.estimate_direction ? mainDirection(sampleEdges(edges))
                                                      : foldDirection(params.direction_deg);
-  const EdgeFrame frame = edgeFrame(geometry, direction);
-  const cv::Mat turned = turnEdges(edges, frame);
-  const auto find = [&](double angle, double extent_px) {
-    return acceptCandidates(findCandidates(turned, angle, params), extent_px, params);
-  };
-
   Walls walls;
-  walls.map_from_grid = geometry.map_from_image * frame.image_from_grid;
-  walls.extent = frame.extent_px * geometry.resolution;
-  for (const Candidate& line : find(0, frame.extent_px.x())) {
-    walls.vertical.push_back({line.offset_px * geometry.resolution, line.votes});
+  const EdgeFrame frame = gridFrame(map.geometry(), direction, walls.warnings);
+  const double width_px = frame.extent_px.x();
+  const double height_px = frame.extent_px.y();
+  walls.map_from_grid = map.geometry().map_from_image * frame.image_from_grid;
+  walls.extent = frame.extent_px * resolution;
+
+  const cv::Mat turned = turnEdges(edges, frame);
+  for (const Candidate& line :
+       acceptCandidates(findCandidates(turned, 0, params), width_px, params)) {
+    walls.vertical.push_back({line.offset_px * resolution, line.votes});
   }
-  for (const Candidate& line : find(CV_PI / 2, frame.extent_px.y())) {
-    walls.horizontal.push_back(
-        {(frame.extent_px.y() - line.offset_px) * geometry.resolution, line.votes});
+  for (const Candidate& line :
+       acceptCandidates(findCandidates(turned, CV_PI / 2, params), height_px, params)) {
+    walls.horizontal.push_back({(height_px - line.offset_px) * resolution, line.votes});
   }
   std::reverse(walls.horizontal.begin(), walls.horizontal.end());
   if (walls.vertical.empty() && walls.horizontal.empty()) {

@@ -102,8 +102,8 @@ std::vector<std::string> contradictions(const Parameters& p) {
   const agrid::WallParams& walls = p.pipeline.walls;
   require(p.map.free_max < p.map.occupied_min, "free_max must be less than occupied_min");
   require(walls.canny_low <= walls.canny_high, "canny_low must not exceed canny_high");
-  require(walls.min_threshold_votes <= walls.max_threshold_votes,
-          "min_threshold must not exceed max_threshold");
+  require(walls.min_threshold_votes < walls.max_threshold_votes,
+          "min_threshold must be less than max_threshold");
   return errors;
 }
 

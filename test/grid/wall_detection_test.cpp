@@ -230,9 +230,22 @@ TEST(WallDetection, AFixedDirectionCountsModuloARightAngle) {
   }
 }
 
-TEST(WallDetection, TheSameMapGivesTheSameWalls) {
+TEST(WallDetection, ALongMapThatCannotBeTurnedLiesAlongTheImageAndSaysSo) {
+  WallParams params = upright();
+  params.direction_deg = 45;
+  const Walls walls = detectWalls(OccupancyMap(noise(2, 100000, 10, 0.1)), params);
+  EXPECT_EQ(walls.map_from_grid.yaw, 0);
+  EXPECT_DOUBLE_EQ(walls.extent.x(), 5000);
+  ASSERT_FALSE(walls.warnings.empty());
+  EXPECT_NE(walls.warnings[0].find("too long"), std::string::npos);
+}
+
+TEST(WallDetection, TheSameMapGivesTheSameWallsWithAnyNumberOfThreads) {
   const Walls a = detectWalls(randomPlanMap(5, 25));
+  const int threads = cv::getNumThreads();
+  cv::setNumThreads(threads == 1 ? 4 : 1);
   const Walls b = detectWalls(randomPlanMap(5, 25));
+  cv::setNumThreads(threads);
   ASSERT_EQ(a.vertical.size(), b.vertical.size());
   for (std::size_t i = 0; i < a.vertical.size(); ++i) {
     EXPECT_EQ(a.vertical[i].offset, b.vertical[i].offset);

@@ -9,7 +9,7 @@ namespace agrid {
 
 /// When the estimated direction is believed. Defaults keep every upright map upright.
 struct DirectionParams {
-  double snap_deg = 1;      ///< smaller directions count as 0: a wall of 100 pixels stays within 2
+  double snap_deg = 0.75;   ///< smaller directions count as 0: a wall of 75 pixels drifts by one
   double min_gain = 2;      ///< how much sharper the profile must be than the one at 0
   double min_contrast = 3;  ///< how much sharper it must be than at a typical direction
 };
