@@ -107,7 +107,8 @@ agrid_map::Tag tagOf(const agrid::ObjectTag& object, const std_msgs::Header& hea
 // --- plans --------------------------------------------------------------------------------------
 
 agrid_map::Status statusOf(std::uint8_t code, const std::string& message = {});
-agrid_map::Status statusOf(const agrid::Plan& plan);
+/// The message without control characters: names of things stand in it.
+agrid_map::Status statusOf(agrid::PlanStatus status, const std::string& message);
 agrid_map::Route toMsg(const agrid::Route& route, const agrid::AreaMap& areas);
 nav_msgs::Path pathToMsg(const std::vector<agrid::Pose2>& path_map, const std_msgs::Header& header);
 

@@ -74,10 +74,11 @@ double yawOf(const geometry_msgs::Quaternion& q) {
 std::string checkedFrame(const std::string& frame_id) {
   const std::string frame = withoutLeadingSlash(frame_id);
   if (frame.empty()) throw MapError(MapErrorCode::kFrame, "header.frame_id is empty");
-  if (frame.size() > 256 || hasControlCharacter(frame)) {
-    throw MapError(MapErrorCode::kFrame, "header.frame_id '" + printable(frame.substr(0, 64)) +
-                                             "' has " + std::to_string(frame.size()) +
-                                             " bytes, allowed are 256 without control characters");
+  if (frame.size() > 256 || !isPrintable(frame)) {
+    throw MapError(MapErrorCode::kFrame,
+                   "header.frame_id '" + printable(frame.substr(0, 64)) + "' has " +
+                       std::to_string(frame.size()) +
+                       " bytes, allowed are 256 of UTF-8 without control characters");
   }
   return frame;
 }
@@ -85,8 +86,7 @@ std::string checkedFrame(const std::string& frame_id) {
 agrid::MapGeometry geometryFromMsg(const nav_msgs::MapMetaData& info, double max_pixels) {
   checkSides(info, max_pixels);
   const auto resolution = static_cast<double>(info.resolution);
-  // the bounds are widened by what a float32 can be off
-  if (!(resolution >= 0.001 * (1 - 1e-6) && resolution <= 10)) {
+  if (!(resolution >= 0.001 && resolution <= 10)) {
     throw MapError(MapErrorCode::kResolution,
                    "resolution is " + formatNumber(resolution) + ", allowed [0.001, 10] m");
   }

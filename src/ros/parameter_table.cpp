@@ -25,13 +25,28 @@ void addWalls(Table& table, agrid::WallParams& p) {
   table.push_back({"direction", NumberField{&p.direction_deg, -360, 360}});
 }
 
-void addGridAndAreas(Table& table, agrid::GridParams& grid, agrid::AreaParams& areas) {
-  table.push_back({"max_cells", NumberField{&grid.max_cells, 1, 1e8}});
-  table.push_back({"area_method", ChoiceField{{"persistence", "paper"}, [&areas](std::size_t i) {
-                                                areas.method = i == 0
-                                                                   ? agrid::AreaMethod::kPersistence
-                                                                   : agrid::AreaMethod::kPaper;
+void addAreas(Table& table, agrid::AreaParams& p) {
+  table.push_back({"area_method", ChoiceField{{"persistence", "paper"}, [&p](std::size_t i) {
+                                                p.method = i == 0 ? agrid::AreaMethod::kPersistence
+                                                                  : agrid::AreaMethod::kPaper;
                                               }}});
+  table.push_back({"max_clutter_diagonal", NumberField{&p.max_clutter_diagonal, 0, 100}});
+  table.push_back({"min_island_size", NumberField{&p.min_island_size, 0, 1e6}});
+  table.push_back({"merge_ratio", NumberField{&p.merge_ratio, 1e-3, 1}});
+  table.push_back({"min_prominence", NumberField{&p.min_prominence, 0, 100}});
+  table.push_back({"min_area_size", NumberField{&p.min_area_size, 0, 1e6}});
+  table.push_back({"max_door_width", NumberField{&p.max_door_width, 0, 1e3}});
+  table.push_back({"min_border_length", NumberField{&p.min_border_length, 0, 1e3}});
+}
+
+void addPassages(Table& table, agrid::PassageParams& p) {
+  table.push_back({"passage_min_width", NumberField{&p.min_width, 0, 100}});
+  table.push_back({"passage_max_width", NumberField{&p.max_width, 0, 100}});
+  table.push_back({"passage_max_skew", NumberField{&p.max_skew_deg, 0, 45}});
+  table.push_back({"passage_min_spacing", NumberField{&p.min_spacing, 0, 100}});
+  table.push_back({"passage_support_reach", NumberField{&p.support_reach, 0, 10}});
+  table.push_back({"passage_min_support", NumberField{&p.min_support, 0, 10}});
+  table.push_back({"passage_opening", NumberField{&p.opening, 0, 10}});
 }
 
 void addPlanner(Table& table, agrid::PlannerParams& p) {
@@ -42,7 +57,10 @@ void addPlanner(Table& table, agrid::PlannerParams& p) {
                                             }}});
   table.push_back({"allow_unknown", FlagField{&p.allow_unknown}});
   table.push_back({"timeout", NumberField{&p.timeout, 1e-3, 60}});
-  table.push_back({"planner", TextField{&p.planner}});
+  table.push_back({"planner", ChoiceField{agrid::plannerNames(), [&p](std::size_t i) {
+                                            p.planner = agrid::plannerNames()[i];
+                                          }}});
+  table.push_back({"turning_radius", NumberField{&p.turning_radius, 0, 0}});
 }
 
 void addNode(Table& table, NodeParams& p) {
@@ -60,7 +78,9 @@ std::vector<ParameterEntry> parameterTable(Parameters& parameters) {
   Table table;
   addMap(table, parameters.map);
   addWalls(table, parameters.pipeline.walls);
-  addGridAndAreas(table, parameters.pipeline.grid, parameters.pipeline.areas);
+  table.push_back({"max_cells", NumberField{&parameters.pipeline.grid.max_cells, 1, 1e8}});
+  addAreas(table, parameters.pipeline.areas);
+  addPassages(table, parameters.pipeline.areas.passages);
   addPlanner(table, parameters.planner);
   addNode(table, parameters.node);
   return table;

@@ -84,10 +84,10 @@ struct Store {
   std::string text() const {
     requireType(value, XmlRpcValue::TypeString);
     const std::string& result = value;
-    if (result.empty() || result.size() > kLongestText || hasControlCharacter(result)) {
+    if (result.empty() || result.size() > kLongestText || !isPrintable(result)) {
       throw std::invalid_argument("has " + std::to_string(result.size()) +
                                   " bytes, allowed are 1 to " + std::to_string(kLongestText) +
-                                  " without control characters");
+                                  " of UTF-8 without control characters");
     }
     return result;
   }
@@ -104,6 +104,9 @@ std::vector<std::string> contradictions(const Parameters& p) {
   require(walls.canny_low <= walls.canny_high, "canny_low must not exceed canny_high");
   require(walls.min_threshold_votes < walls.max_threshold_votes,
           "min_threshold must be less than max_threshold");
+  const agrid::PassageParams& passages = p.pipeline.areas.passages;
+  require(passages.min_width <= passages.max_width,
+          "passage_min_width must not exceed passage_max_width");
   return errors;
 }
 

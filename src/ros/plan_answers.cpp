@@ -68,43 +68,40 @@ agrid::Plan planPathTo(const Ground& ground, const agrid_map::PlanPath::Request&
 
 agrid_map::PlanAreas::Response answerPlanAreas(const Ground& ground,
                                                const agrid_map::PlanAreas::Request& request) {
+  const Snapshot& snapshot = ground.snapshot;
   agrid::PlanRequest wanted;
   wanted.robot_radius = unlessZero(request.robot_radius);
   wanted.cancelled = &ground.cancelled;
   wanted.start = startOf(ground, request);
-  agrid::Plan plan;
+  agrid::RouteList list;
   if (request.goal.empty()) {
     wanted.goal = ground.frames.planPoint(request.goal_pose);
-    plan = ground.snapshot.planner->plan(wanted);
+    list = snapshot.planner->routes(wanted, request.max_routes);
   } else {
-    const std::vector<Thing> things = findThings(*ground.snapshot.map, request.goal, {false, true});
-    plan = planToNearest(*ground.snapshot.planner, things, wanted, false);
+    const std::vector<Thing> things = findThings(*snapshot.map, request.goal, {false, true});
+    list = routesToNearest(*snapshot.planner, things, wanted, request.max_routes);
   }
   agrid_map::PlanAreas::Response response;
-  response.status = statusOf(plan);
-  if (plan.status == agrid::PlanStatus::kSuccess) {
-    response.routes.push_back(toMsg(plan.route, ground.snapshot.map->area_map));
+  response.status = statusOf(list.status, list.message);
+  for (const agrid::Route& route : list.routes) {
+    response.routes.push_back(toMsg(route, snapshot.map->area_map));
   }
   return response;
 }
 
 agrid_map::PlanPath::Response answerPlanPath(const Ground& ground,
                                              const agrid_map::PlanPath::Request& request) {
-  if (request.turning_radius != 0) {
-    throw RequestError(Status::INVALID_REQUEST,
-                       "turning_radius is " + formatNumber(request.turning_radius) +
-                           ", allowed 0: paths are made of straight lines");
-  }
   agrid::PlanRequest wanted;
   wanted.tolerance = request.tolerance;
   wanted.robot_radius = unlessZero(request.robot_radius);
+  wanted.turning_radius = unlessZero(request.turning_radius);
   wanted.timeout = unlessZero(request.timeout);
-  if (!request.planner.empty()) wanted.planner = printable(request.planner.substr(0, 256));
+  if (!request.planner.empty()) wanted.planner = request.planner.substr(0, 256);
   wanted.seed = request.seed;
   wanted.cancelled = &ground.cancelled;
   const agrid::Plan plan = planPathTo(ground, request, wanted);
   agrid_map::PlanPath::Response response;
-  response.status = statusOf(plan);
+  response.status = statusOf(plan.status, plan.message);
   response.planning_time = plan.planning_time;
   response.map_id = ground.snapshot.map->map().digest();
   if (plan.status == agrid::PlanStatus::kSuccess) fillPath(response, ground, plan);
@@ -120,7 +117,7 @@ nav_msgs::GetPlan::Response answerMakePlan(const Ground& ground,
   wanted.cancelled = &ground.cancelled;
   const agrid::Plan plan = ground.snapshot.planner->plan(wanted);
   if (plan.status != agrid::PlanStatus::kSuccess) {
-    const agrid_map::Status status = statusOf(plan);
+    const agrid_map::Status status = statusOf(plan.status, plan.message);
     throw RequestError(status.code, status.message);
   }
   nav_msgs::GetPlan::Response response;

@@ -36,8 +36,8 @@ agrid_map::Status statusOf(std::uint8_t code, const std::string& message) {
   return status;
 }
 
-agrid_map::Status statusOf(const agrid::Plan& plan) {
-  return statusOf(codeOf(plan.status), printable(plan.message));
+agrid_map::Status statusOf(agrid::PlanStatus status, const std::string& message) {
+  return statusOf(codeOf(status), printable(message));
 }
 
 agrid_map::Route toMsg(const agrid::Route& route, const agrid::AreaMap& areas) {

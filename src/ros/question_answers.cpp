@@ -60,11 +60,11 @@ agrid_map::WhereIs::Response answerWhereIs(const Ground& ground,
   std::vector<Match> matches;
   for (const Thing& thing : findThings(*snapshot.map, request.name, {true, true})) {
     Match match{thing};
-    const agrid::Plan plan = planTo(*snapshot.planner, thing, wanted, false);
+    const agrid::Plan plan = snapshot.planner->plan(requestTo(thing, wanted, false));
     if (plan.status == agrid::PlanStatus::kSuccess) {
       match.distance = plan.length;
     } else if (response.status.message.empty()) {
-      response.status.message = statusOf(plan).message;
+      response.status.message = statusOf(plan.status, plan.message).message;
     }
     matches.push_back(match);
   }

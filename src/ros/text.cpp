@@ -7,38 +7,8 @@
 #include <sstream>
 
 namespace agrid_map_ros {
-namespace {
 
-bool isControl(unsigned char c) { return c < 0x20 || c == 0x7f; }
-
-// 0x80..0x9f, which some terminals obey like escape sequences, come as 0xc2 0x80..0x9f in UTF-8
-bool isC1Control(const std::string& text, std::size_t i) {
-  return i + 1 < text.size() && static_cast<unsigned char>(text[i]) == 0xc2 &&
-         static_cast<unsigned char>(text[i + 1]) >= 0x80 &&
-         static_cast<unsigned char>(text[i + 1]) <= 0x9f;
-}
-
-std::string escaped(unsigned char c) {
-  constexpr char kDigits[] = "0123456789abcdef";
-  return {'\\', 'x', kDigits[c >> 4], kDigits[c & 15]};
-}
-
-}  // namespace
-
-std::string printable(const std::string& text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    if (isC1Control(text, i)) {
-      result += escaped(c) + escaped(static_cast<unsigned char>(text[++i]));
-    } else {
-      result += isControl(c) ? escaped(c) : std::string(1, text[i]);
-    }
-  }
-  return result;
-}
-
-bool hasControlCharacter(const std::string& text) { return printable(text) != text; }
+bool isPrintable(const std::string& text) { return agrid::printable(text) == text; }
 
 std::string withoutLeadingSlash(const std::string& frame_id) {
   return !frame_id.empty() && frame_id.front() == '/' ? frame_id.substr(1) : frame_id;

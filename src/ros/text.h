@@ -6,11 +6,14 @@
 
 #include <geometry_msgs/Quaternion.h>
 
+#include "map/printable.h"
+
 namespace agrid_map_ros {
 
-/// The text with control characters as \xNN, so that nothing from the wire can steer a terminal.
-std::string printable(const std::string& text);
-bool hasControlCharacter(const std::string& text);
+using agrid::printable;
+
+/// Whether a text is UTF-8 without control characters.
+bool isPrintable(const std::string& text);
 
 /// ROS 1 frames once began with a slash; TF2 does not take it.
 std::string withoutLeadingSlash(const std::string& frame_id);

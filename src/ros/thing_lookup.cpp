@@ -63,11 +63,11 @@ std::vector<Thing> select(const std::vector<Called>& things,
 std::string asWritten(const std::string& text) { return text; }
 
 void requireName(const std::string& word) {
-  if (!word.empty() && word.size() <= kLongestName && !hasControlCharacter(word)) return;
+  if (!word.empty() && word.size() <= kLongestName && isPrintable(word)) return;
   throw RequestError(agrid_map::Status::INVALID_REQUEST,
                      "the name '" + printable(word.substr(0, 64)) + "' has " +
                          std::to_string(word.size()) + " bytes, allowed are 1 to " +
-                         std::to_string(kLongestName) + " without control characters");
+                         std::to_string(kLongestName) + " of UTF-8 without control characters");
 }
 
 [[noreturn]] void throwUnknown(const std::vector<Called>& things, const std::string& word,

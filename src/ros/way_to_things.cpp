@@ -31,29 +31,41 @@ struct Reach {
 
 agrid::Point2 positionOf(const Thing& thing) { return std::visit(Position{}, thing); }
 
-agrid::Plan planTo(const agrid::Planner& planner, const Thing& thing,
-                   const agrid::PlanRequest& request, bool at_anchor) {
-  agrid::PlanRequest wanted = request;
+agrid::PlanRequest requestTo(const Thing& thing, const agrid::PlanRequest& base, bool at_anchor) {
+  agrid::PlanRequest request = base;
   if (const auto* area = std::get_if<const agrid::Area*>(&thing)) {
-    wanted.goal = agrid::AreaGoal{(*area)->id, at_anchor};
+    request.goal = agrid::AreaGoal{(*area)->id, at_anchor};
   } else {
-    wanted.goal = agrid::PlanPoint{positionOf(thing), std::nullopt};
-    wanted.tolerance = std::max(request.tolerance, std::visit(Reach{}, thing));
+    request.goal = agrid::PlanPoint{positionOf(thing), std::nullopt};
+    request.tolerance = std::max(base.tolerance, std::visit(Reach{}, thing));
   }
-  return planner.plan(wanted);
+  return request;
 }
 
 agrid::Plan planToNearest(const agrid::Planner& planner, const std::vector<Thing>& things,
-                          const agrid::PlanRequest& request, bool at_anchor) {
-  agrid::Plan best = planTo(planner, things.at(0), request, at_anchor);
+                          const agrid::PlanRequest& base, bool at_anchor) {
+  agrid::Plan best = planner.plan(requestTo(things.at(0), base, at_anchor));
   double seconds = best.planning_time;
   for (std::size_t i = 1; i < things.size(); ++i) {
-    agrid::Plan plan = planTo(planner, things[i], request, at_anchor);
+    agrid::Plan plan = planner.plan(requestTo(things[i], base, at_anchor));
     seconds += plan.planning_time;
     const bool better = best.status != agrid::PlanStatus::kSuccess || plan.length < best.length;
     if (plan.status == agrid::PlanStatus::kSuccess && better) best = std::move(plan);
   }
   best.planning_time = seconds;
+  return best;
+}
+
+agrid::RouteList routesToNearest(const agrid::Planner& planner, const std::vector<Thing>& things,
+                                 const agrid::PlanRequest& base, std::size_t max_routes) {
+  agrid::RouteList best = planner.routes(requestTo(things.at(0), base, false), max_routes);
+  for (std::size_t i = 1; i < things.size(); ++i) {
+    agrid::RouteList list = planner.routes(requestTo(things[i], base, false), max_routes);
+    if (list.routes.empty()) continue;
+    const bool better =
+        best.routes.empty() || list.routes.front().length < best.routes.front().length;
+    if (better) best = std::move(list);
+  }
   return best;
 }
 
