@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "agrid/geometry/quaternion.h"
 #include "agrid/map/map_io.h"
 #include "map/file_reader.h"
 #include "map/image.h"
@@ -25,9 +26,6 @@ std::string yamlText(const std::string& path, const std::string& map_dir) {
   return text;
 }
 
-// The yaw that a subscriber computes of the quaternion.
-double yawOf(double z, double w) { return std::atan2(2 * w * z, w * w - z * z); }
-
 }  // namespace
 
 LoadedMap loadMap(const std::string& yaml_path, const MapFileParams& params) {
@@ -41,11 +39,11 @@ LoadedMap loadMap(const std::string& yaml_path, const MapFileParams& params) {
   const float half_yaw = static_cast<float>(yaml.origin[2]) * 0.5f;
   map.orientation_z = std::sin(half_yaw);
   map.orientation_w = std::cos(half_yaw);
-  map.grid.geometry = {
-      image.width,
-      image.height,
-      static_cast<double>(static_cast<float>(yaml.resolution)),
-      {Point2(yaml.origin[0], yaml.origin[1]), yawOf(map.orientation_z, map.orientation_w)}};
+  map.grid.geometry = {image.width,
+                       image.height,
+                       static_cast<double>(static_cast<float>(yaml.resolution)),
+                       {Point2(yaml.origin[0], yaml.origin[1]),
+                        yawOfQuaternion(map.orientation_z, map.orientation_w)}};
   map.grid.values = pixelValues(image, yaml.rule);
   for (const std::string& warning : yaml.warnings) {
     map.warnings.push_back(printable(yaml_path) + ": " + warning);

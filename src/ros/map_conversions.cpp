@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "agrid/geometry/quaternion.h"
 #include "agrid_map_ros/conversions.h"
 #include "ros/text.h"
 
@@ -50,7 +51,7 @@ double planarYaw(const geometry_msgs::Quaternion& orientation) {
     throw MapError(MapErrorCode::kOrigin, "origin is tilted by " + formatNumber(tilt) +
                                               " rad, allowed at most " + formatNumber(kMaxTilt));
   }
-  return yawOf(*q);
+  return agrid::yawOfQuaternion(orientation.z, orientation.w);
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ std::vector<GoldenCase> goldenCases(const std::string& path) {
   if (cases.size() < 11) return cases;
   // The last cases vary what their headers do not tell.
   GoldenCase* last = cases.data() + cases.size() - 11;
-  for (const char* yaw : {"0", "0.7", "-0.7", "3.14159265358979", "-3.14159265358979",
-                          "1.5707963", "6.5", ".nan"}) {
+  for (const char* yaw :
+       {"0", "0.7", "-0.7", "3.14159265358979", "-3.14159265358979", "1.5707963", "6.5", ".nan"}) {
     (last++)->yaw = yaw;
   }
   for (GoldenCase* inverted : {last, last + 1}) {
