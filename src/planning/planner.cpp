@@ -6,7 +6,6 @@
 
 #include "planning/area_routes.h"
 #include "planning/ompl/exact_space.h"
-#include "planning/ompl/shorten.h"
 #include "planning/planner_core.h"
 
 namespace agrid {

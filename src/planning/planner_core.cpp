@@ -161,6 +161,9 @@ PlannerCore::Path PlannerCore::pathOf(const Task& task, const Query& query, std:
   }
   shortenByOmpl(free, seed, path.corners);
   tighten(free, path.corners);
+  if (!passesOmplCheck(free, path.corners)) {
+    throw std::logic_error("Planner: OMPL's check does not confirm a path");
+  }
   return path;
 }
 

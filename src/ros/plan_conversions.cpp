@@ -48,7 +48,8 @@ agrid_map::Route toMsg(const agrid::Route& route, const agrid::AreaMap& areas) {
     msg.names.push_back(area.name);
   }
   for (const std::size_t index : route.doors) {
-    msg.doors.push_back(static_cast<std::uint32_t>(areas.doors.at(index).id));
+    const agrid::DoorId id = index == agrid::kNoDoor ? agrid::DoorId{0} : areas.doors.at(index).id;
+    msg.doors.push_back(static_cast<std::uint32_t>(id));
   }
   msg.length = route.length;
   return msg;

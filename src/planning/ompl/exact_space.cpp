@@ -7,6 +7,7 @@
 #include <mutex>
 #include <utility>
 
+#include <ompl/base/ProjectionEvaluator.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Console.h>
 
@@ -105,6 +106,22 @@ class GuidedSampler : public ob::StateSampler {
   double total_ = 0;
 };
 
+/// The plane seen as a coarse grid, for planners that count where they have been. OMPL 1.5's own
+/// projection of the plane aborts in an assertion of Eigen.
+class CoarseGrid : public ob::ProjectionEvaluator {
+ public:
+  explicit CoarseGrid(const ob::StateSpacePtr& plane) : ob::ProjectionEvaluator(plane) {
+    setCellSizes(std::vector<double>(2, plane->getMaximumExtent() / kCellsAcross));
+  }
+  unsigned getDimension() const override { return 2; }
+  void project(const ob::State* state, Eigen::Ref<Eigen::VectorXd> projection) const override {
+    for (int i = 0; i < 2; ++i) projection(i) = state->as<PlaneState>()->values[i];
+  }
+
+ private:
+  static constexpr double kCellsAcross = 40;
+};
+
 }  // namespace
 
 ob::SpaceInformationPtr exactSpace(const FreeSpace& free) {
@@ -114,6 +131,7 @@ ob::SpaceInformationPtr exactSpace(const FreeSpace& free) {
   bounds.setHigh(0, free.geometry().width - 0.5);
   bounds.setHigh(1, free.geometry().height - 0.5);
   plane->setBounds(bounds);
+  plane->registerDefaultProjection(std::make_shared<CoarseGrid>(plane));
   auto space = std::make_shared<ob::SpaceInformation>(plane);
   space->setStateValidityChecker(std::make_shared<FreePixels>(space, free));
   space->setMotionValidator(std::make_shared<LineOfSight>(space, free));

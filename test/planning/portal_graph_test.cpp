@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/portal_graph.h"
+
+#include <map>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "planning/cell_rows.h"
+#include "planning/obstacles.h"
+#include "planning/plan_oracle.h"
+
+namespace agrid::planning {
+namespace {
+
+struct Sample {
+  test::Scene scene;
+  std::shared_ptr<const SemanticMap> map;
+  std::unique_ptr<FreeSpace> free;
+  std::unique_ptr<PortalGraph> graph;
+};
+
+Sample randomSample(std::mt19937& random) {
+  Sample sample;
+  std::uniform_int_distribution<int> side(3, 30);
+  const MapGeometry geometry{side(random), side(random), 0.05, {{1, -2}, side(random) * 0.2}};
+  sample.scene.grid = test::randomPlan(random, geometry);
+  sample.scene.x_lines = side(random) / 3;
+  sample.scene.y_lines = side(random) / 3;
+  sample.scene.grid_yaw = side(random) % 2 == 0 ? 0 : 0.1 * side(random);
+  sample.map = test::mapOf(sample.scene);
+  const Obstacles obstacles(*sample.map, true);
+  sample.free =
+      std::make_unique<FreeSpace>(geometry,
+                                  std::make_shared<const std::vector<std::int32_t>>(
+                                      obstacleDistances(geometry, obstacles, Clearance::kCostmap)),
+                                  0.05 * (side(random) % 3));
+  const CellRows rows(geometry, sample.map->grid());
+  sample.graph = std::make_unique<PortalGraph>(
+      *sample.free, [&](int y, std::vector<std::uint32_t>& cells) { rows.cellsOfRow(y, cells); });
+  return sample;
+}
+
+/// Numbers the connected groups of pixels by flood fill; neighbours are joined where `joins`.
+template <typename Joins>
+std::vector<int> floodGroups(const MapGeometry& g, const FreeSpace& free, const Joins& joins) {
+  std::vector<int> group(g.pixelCount(), -1);
+  int next = 0;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    if (group[i] >= 0 || !free.isFree(g.pixel(i))) continue;
+    std::vector<Pixel> open{g.pixel(i)};
+    group[i] = next;
+    while (!open.empty()) {
+      const Pixel p = open.back();
+      open.pop_back();
+      for (const Pixel q :
+           {Pixel{p.x + 1, p.y}, Pixel{p.x - 1, p.y}, Pixel{p.x, p.y + 1}, Pixel{p.x, p.y - 1}}) {
+        if (!free.isFree(q) || group[g.index(q)] >= 0 || !joins(p, q)) continue;
+        group[g.index(q)] = next;
+        open.push_back(q);
+      }
+    }
+    ++next;
+  }
+  return group;
+}
+
+void expectSameGroups(const std::vector<int>& expected, const std::vector<std::uint32_t>& found) {
+  std::map<int, std::uint32_t> there;
+  std::map<std::uint32_t, int> back;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_EQ(expected[i] < 0, found[i] == kNoNode);
+    if (expected[i] < 0) continue;
+    ASSERT_EQ(there.emplace(expected[i], found[i]).first->second, found[i]);
+    ASSERT_EQ(back.emplace(found[i], expected[i]).first->second, expected[i]);
+  }
+}
+
+TEST(PortalGraph, NodesAndComponentsAreThoseOfAFloodFill) {
+  std::mt19937 random(4);
+  for (int trial = 0; trial < 400; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const Sample s = randomSample(random);
+    const MapGeometry& g = s.scene.grid.geometry;
+    const CellRows rows(g, s.map->grid());
+    std::vector<std::uint32_t> nodes(g.pixelCount());
+    std::vector<std::uint32_t> components(g.pixelCount(), kNoNode);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      nodes[i] = s.graph->nodeAt(i);
+      if (nodes[i] == kNoNode) continue;
+      components[i] = s.graph->componentOf(nodes[i]);
+      ASSERT_EQ(s.graph->classOf(nodes[i]), rows.cellOf(g.pixel(i)));
+    }
+    expectSameGroups(
+        floodGroups(g, *s.free, [&](Pixel p, Pixel q) { return rows.cellOf(p) == rows.cellOf(q); }),
+        nodes);
+    expectSameGroups(floodGroups(g, *s.free, [](Pixel, Pixel) { return true; }), components);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(PortalGraph, PortalsHoldEveryPairOfNeighboursInTwoNodes) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Sample s = randomSample(random);
+    const MapGeometry& g = s.scene.grid.geometry;
+    for (std::size_t i = 0; i < g.pixelCount(); ++i) {
+      const Pixel p = g.pixel(i);
+      for (const Pixel q : {Pixel{p.x + 1, p.y}, Pixel{p.x, p.y + 1}}) {
+        if (!s.free->isFree(p) || !s.free->isFree(q)) continue;
+        const std::uint32_t a = s.graph->nodeAt(g.index(p));
+        const std::uint32_t b = s.graph->nodeAt(g.index(q));
+        if (a == b) continue;
+        int holders = 0;
+        for (const std::uint32_t k : s.graph->portalsOf(a)) {
+          const Portal& portal = s.graph->portals()[k];
+          if (portal.other(a) != b) continue;
+          holders += portal.box.low.x <= p.x && portal.box.low.y <= p.y &&
+                     portal.box.high.x >= q.x && portal.box.high.y >= q.y;
+        }
+        ASSERT_GE(holders, 1) << "trial " << trial;
+      }
+    }
+  }
+}
+
+TEST(CellRows, AgreeWithTheGridAwayFromItsLines) {
+  std::mt19937 random(6);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Sample s = randomSample(random);
+    const MapGeometry& g = s.scene.grid.geometry;
+    const CellRows rows(g, s.map->grid());
+    int same = 0;
+    for (std::size_t i = 0; i < g.pixelCount(); ++i) {
+      const auto cell = s.map->grid().cellAt(g.center(g.pixel(i)));
+      if (cell && s.map->grid().index(*cell) == rows.cellOf(g.pixel(i))) ++same;
+    }
+    EXPECT_GE(same, static_cast<int>(0.8 * static_cast<double>(g.pixelCount())));
+  }
+}
+
+}  // namespace
+}  // namespace agrid::planning

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/squared_distance.h"
+
+#include <algorithm>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace agrid::planning {
+namespace {
+
+TEST(SquaredDistances, AreThoseOfASearchOverAllMarkedPixels) {
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 300; ++trial) {
+    std::uniform_int_distribution<int> side(1, 30);
+    const MapGeometry geometry{side(random), side(random), 1, {}};
+    std::bernoulli_distribution marks(trial % 3 == 0 ? 0.01 : 0.1);
+    std::vector<std::uint8_t> marked(geometry.pixelCount());
+    for (auto& m : marked) m = marks(random) ? 1 : 0;
+    const auto distances = squaredDistances(geometry, marked);
+    for (std::size_t i = 0; i < marked.size(); ++i) {
+      std::int32_t nearest = kFarSquared;
+      for (std::size_t k = 0; k < marked.size(); ++k) {
+        if (marked[k] == 0) continue;
+        const int dx = geometry.pixel(i).x - geometry.pixel(k).x;
+        const int dy = geometry.pixel(i).y - geometry.pixel(k).y;
+        nearest = std::min(nearest, dx * dx + dy * dy);
+      }
+      ASSERT_EQ(distances[i], nearest) << "trial " << trial << " pixel " << i;
+    }
+  }
+}
+
+TEST(SquaredDistances, StayExactWhereFloatsDoNot) {
+  const MapGeometry geometry{20000, 1, 1, {}};
+  std::vector<std::uint8_t> marked(geometry.pixelCount());
+  marked[0] = 1;
+  EXPECT_EQ(squaredDistances(geometry, marked)[19999], 19999 * 19999);
+}
+
+TEST(SquaredDistances, EndAtTheLargestNumberTheyHold) {
+  const MapGeometry geometry{50000, 1, 1, {}};
+  std::vector<std::uint8_t> marked(geometry.pixelCount());
+  marked[0] = 1;
+  EXPECT_EQ(squaredDistances(geometry, marked)[49999], kFarSquared);
+}
+
+TEST(SquaredDistances, StopWhenCancelled) {
+  const std::atomic<bool> cancelled{true};
+  StopCheck stop;
+  stop.cancelled = &cancelled;
+  EXPECT_THROW(squaredDistances({3, 3, 1, {}}, std::vector<std::uint8_t>(9), stop), Stopped);
+}
+
+}  // namespace
+}  // namespace agrid::planning
