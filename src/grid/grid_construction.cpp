@@ -3,17 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
+
+#include "grid/spaced_lines.h"
 
 namespace agrid {
 namespace {
 
 // Gaps that are whole multiples of each other in pixels must stay so in metres.
 constexpr double kRoundOff = 1e-9;
+constexpr int kDistanceBits = 40;  // of the distance that limitCells looks for
 
 /// The wall lines of an axis and the two edges of the map, strictly increasing.
 std::vector<double> linesOf(const std::vector<WallLine>& walls, double extent,
@@ -43,9 +46,9 @@ double smallestGap(const std::vector<double>& lines) {
 }
 
 /// Into how many parts halving splits a gap, until each part is smaller than twice `min_gap`.
-double partsOf(double gap, double min_gap) {
-  double parts = 1;
-  while (gap / parts >= 2 * min_gap * (1 - kRoundOff)) parts *= 2;
+std::int64_t partsOf(double gap, double min_gap) {
+  std::int64_t parts = 1;
+  while (gap / static_cast<double>(parts) >= 2 * min_gap * (1 - kRoundOff)) parts *= 2;
   return parts;
 }
 
@@ -55,9 +58,10 @@ std::vector<double> refine(const std::vector<double>& lines) {
   std::vector<double> refined{lines.front()};
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const double gap = lines[i] - lines[i - 1];
-    const double parts = partsOf(gap, min_gap);
-    for (double part = 1; part < parts; ++part) {
-      refined.push_back(lines[i - 1] + gap * part / parts);
+    const std::int64_t parts = partsOf(gap, min_gap);
+    for (std::int64_t part = 1; part < parts; ++part) {
+      refined.push_back(lines[i - 1] +
+                        gap * static_cast<double>(part) / static_cast<double>(parts));
     }
     refined.push_back(lines[i]);
   }
@@ -67,7 +71,9 @@ std::vector<double> refine(const std::vector<double>& lines) {
 double countGaps(const std::vector<double>& lines) {
   const double min_gap = smallestGap(lines);
   double count = 0;
-  for (std::size_t i = 1; i < lines.size(); ++i) count += partsOf(lines[i] - lines[i - 1], min_gap);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    count += static_cast<double>(partsOf(lines[i] - lines[i - 1], min_gap));
+  }
   return count;
 }
 
@@ -79,22 +85,19 @@ std::vector<double> linesY(const Walls& walls) {
   return linesOf(walls.horizontal, walls.extent.y(), "horizontal");
 }
 
-/// The walls without their `count` weakest lines.
-Walls withoutWeakest(const Walls& walls, std::size_t count) {
-  std::vector<std::tuple<int, int, double>> ranking;  // votes, axis, offset
-  for (const WallLine& line : walls.vertical) ranking.emplace_back(line.votes, 0, line.offset);
-  for (const WallLine& line : walls.horizontal) ranking.emplace_back(line.votes, 1, line.offset);
-  std::sort(ranking.begin(), ranking.end());
+/// The lines of an axis that lie at least `distance` from the edges and from all stronger lines.
+std::vector<WallLine> thinOut(std::vector<WallLine> lines, double extent, double distance) {
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const WallLine& a, const WallLine& b) { return a.votes > b.votes; });
+  SpacedLines kept(extent);
+  for (const WallLine& line : lines) kept.addIfFar(line, distance);
+  return kept.lines();
+}
+
+Walls thinOut(const Walls& walls, double distance) {
   Walls kept = walls;
-  kept.vertical.clear();
-  kept.horizontal.clear();
-  for (std::size_t i = count; i < ranking.size(); ++i) {
-    const auto& [votes, axis, offset] = ranking[i];
-    (axis == 0 ? kept.vertical : kept.horizontal).push_back({offset, votes});
-  }
-  const auto by_offset = [](const WallLine& a, const WallLine& b) { return a.offset < b.offset; };
-  std::sort(kept.vertical.begin(), kept.vertical.end(), by_offset);
-  std::sort(kept.horizontal.begin(), kept.horizontal.end(), by_offset);
+  kept.vertical = thinOut(walls.vertical, walls.extent.x(), distance);
+  kept.horizontal = thinOut(walls.horizontal, walls.extent.y(), distance);
   return kept;
 }
 
@@ -114,19 +117,20 @@ Walls limitCells(Walls walls, const GridParams& params) {
                                 " is below 1");
   }
   if (countCells(walls) <= params.max_cells) return walls;
-  const std::size_t lines = walls.vertical.size() + walls.horizontal.size();
-  std::size_t too_few = 0;
-  std::size_t enough = lines;  // without walls there is one cell
-  while (enough - too_few > 1) {
-    const std::size_t middle = too_few + (enough - too_few) / 2;
-    const bool fits = countCells(withoutWeakest(walls, middle)) <= params.max_cells;
-    (fits ? enough : too_few) = middle;
+  double too_close = 0;
+  double far_enough = walls.extent.maxCoeff();  // without walls there is one cell
+  for (int i = 0; i < kDistanceBits; ++i) {
+    const double middle = too_close + (far_enough - too_close) / 2;
+    const bool fits = countCells(thinOut(walls, middle)) <= params.max_cells;
+    (fits ? far_enough : too_close) = middle;
   }
-  Walls kept = withoutWeakest(walls, enough);
+  Walls kept = thinOut(walls, far_enough);
+  const std::size_t lines = walls.vertical.size() + walls.horizontal.size();
+  const std::size_t dropped = lines - kept.vertical.size() - kept.horizontal.size();
   kept.warnings.push_back("the grid would have more than " +
                           std::to_string(static_cast<long long>(params.max_cells)) +
-                          " cells: the " + std::to_string(enough) + " weakest of " +
-                          std::to_string(lines) + " wall lines were dropped");
+                          " cells: " + std::to_string(dropped) + " of " + std::to_string(lines) +
+                          " wall lines were dropped, each for a stronger one beside it");
   return kept;
 }
 

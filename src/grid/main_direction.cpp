@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kRadPerDeg = 0.017453292519943295;
 constexpr double kCoarseStepDeg = 0.5;
+constexpr int kCoarseSteps = 90;  // up to 45 degrees
 constexpr double kCoarseBin = 4;
 constexpr double kFineStepDeg = 0.05;
 constexpr double kFineBin = 1;
@@ -76,7 +77,9 @@ double mainDirection(const std::vector<Point2>& points, const DirectionParams& p
   std::vector<double> values;
   double best = 0;
   double best_deg = 0;
-  for (double deg = -45 + kCoarseStepDeg; deg <= 45; deg += kCoarseStepDeg) {
+  values.reserve(2 * kCoarseSteps);
+  for (int i = 1 - kCoarseSteps; i <= kCoarseSteps; ++i) {
+    const double deg = i * kCoarseStepDeg;
     values.push_back(sharpness.at(deg, kCoarseBin));
     if (values.back() > best) {
       best = values.back();

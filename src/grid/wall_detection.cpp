@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -12,15 +11,10 @@
 #include "agrid/grid/main_direction.h"
 #include "grid/edge_frame.h"
 #include "grid/edge_image.h"
+#include "grid/spaced_lines.h"
 
 namespace agrid {
 namespace {
-
-/// A line that the Hough transform returned, by its distance from the image's left or top edge.
-struct Candidate {
-  double offset_px = 0;
-  int votes = 0;
-};
 
 void require(bool holds, const std::string& what) {
   if (!holds) throw std::invalid_argument("WallParams." + what);
@@ -61,16 +55,15 @@ double offsetOfFirstBin(const cv::Mat& edges, double resolution_px) {
 /// so one transform with the last round's threshold returns all that the rounds return. Each angle
 /// has its own transform because OpenCV keeps a line only if it beats its neighbours in distance
 /// and angle: among two angles, a wall at x = 100 would hide a weaker one at y = 100.
-/// @return most votes first
-std::vector<Candidate> findCandidates(const cv::Mat& edges, double angle,
-                                      const WallParams& params) {
+/// @return distances from the left or top edge of the image [px], most votes first
+std::vector<WallLine> findCandidates(const cv::Mat& edges, double angle, const WallParams& params) {
   constexpr double kAngleResolution = CV_PI / 2;
   const double resolution_px = params.distance_resolution_px;
   std::vector<cv::Vec3f> lines;
   cv::HoughLines(edges, lines, resolution_px, kAngleResolution, lastThreshold(params), 0, 0, angle,
                  angle + 0.75 * kAngleResolution);
   const double first_px = offsetOfFirstBin(edges, resolution_px);
-  std::vector<Candidate> candidates;
+  std::vector<WallLine> candidates;
   candidates.reserve(lines.size());
   for (const cv::Vec3f& line : lines) {
     candidates.push_back({line[0] + first_px, static_cast<int>(line[2])});
@@ -81,34 +74,26 @@ std::vector<Candidate> findCandidates(const cv::Mat& edges, double angle,
 /// Alg. 1, lines 2, 5 and 7 to 15, for the lines of one direction. A candidate is looked at once,
 /// in the first round whose threshold it exceeds: once refused it would be refused in all later
 /// rounds, as the lines taken only become more and the distance asked for only grows.
-std::vector<Candidate> acceptCandidates(const std::vector<Candidate>& candidates, double extent_px,
-                                        const WallParams& params) {
-  std::map<double, int> taken{{0, 0}, {extent_px, 0}};  // the map's edges
+std::vector<WallLine> acceptCandidates(const std::vector<WallLine>& candidates, double extent_px,
+                                       const WallParams& params) {
+  SpacedLines accepted(extent_px);
   auto candidate = candidates.begin();
   for (int threshold = params.max_threshold_votes; threshold > params.min_threshold_votes;
        threshold -= params.threshold_step_votes) {
     const double min_distance = std::max(
         static_cast<double>(params.max_threshold_votes) / threshold, params.min_line_distance_px);
     for (; candidate != candidates.end() && candidate->votes > threshold; ++candidate) {
-      const auto above = taken.lower_bound(candidate->offset_px);
-      if (above == taken.end() || above == taken.begin()) continue;
-      const double below_px = candidate->offset_px - std::prev(above)->first;
-      const double above_px = above->first - candidate->offset_px;
-      if (std::min(below_px, above_px) >= min_distance) {
-        taken.emplace_hint(above, candidate->offset_px, candidate->votes);
-      }
+      accepted.addIfFar(*candidate, min_distance);
     }
   }
-  std::vector<Candidate> accepted;
-  for (const auto& [offset_px, votes] : taken) accepted.push_back({offset_px, votes});
-  return {accepted.begin() + 1, accepted.end() - 1};
+  return accepted.lines();
 }
 
 /// The frame to lay the grid in. A long map cannot be turned at will: its bounding rectangle may
 /// be any number of times larger than the map.
 EdgeFrame gridFrame(const MapGeometry& geometry, double direction,
                     std::vector<std::string>& warnings) {
-  const EdgeFrame frame = edgeFrame(geometry, direction);
+  EdgeFrame frame = edgeFrame(geometry, direction);
   if (frame.extent_px.prod() <= maxTurnedPixels(geometry)) return frame;
   warnings.push_back("the map is too long to lay a grid at " +
                      std::to_string(direction * 180 / CV_PI) + " degrees: it lies along the image");
@@ -131,13 +116,13 @@ Walls detectWalls(const OccupancyMap& map, const WallParams& params) {
   walls.extent = frame.extent_px * resolution;
 
   const cv::Mat turned = turnEdges(edges, frame);
-  for (const Candidate& line :
+  for (const WallLine& line :
        acceptCandidates(findCandidates(turned, 0, params), width_px, params)) {
-    walls.vertical.push_back({line.offset_px * resolution, line.votes});
+    walls.vertical.push_back({line.offset * resolution, line.votes});
   }
-  for (const Candidate& line :
+  for (const WallLine& line :
        acceptCandidates(findCandidates(turned, CV_PI / 2, params), height_px, params)) {
-    walls.horizontal.push_back({(height_px - line.offset_px) * resolution, line.votes});
+    walls.horizontal.push_back({(height_px - line.offset) * resolution, line.votes});
   }
   std::reverse(walls.horizontal.begin(), walls.horizontal.end());
   if (walls.vertical.empty() && walls.horizontal.empty()) {

@@ -165,24 +165,67 @@ TEST(GridConstruction, FewerThanTheLimitAreLeftAlone) {
   EXPECT_TRUE(limited.warnings.empty());
 }
 
-TEST(GridConstruction, M15_TheWeakestLinesGoWhereCellsAreTooMany) {
+double smallestGap(const std::vector<double>& lines) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    smallest = std::min(smallest, lines[i] - lines[i - 1]);
+  }
+  return smallest;
+}
+
+/// Each line that is gone lies nearer to an edge or to a stronger line that stayed than those that
+/// stayed lie to each other on the axis where they are closest.
+void expectOnlyWeakLinesGone(const std::vector<WallLine>& before,
+                             const std::vector<WallLine>& after, double extent, double distance) {
+  for (const WallLine& line : before) {
+    const bool stayed = std::any_of(after.begin(), after.end(), [&](const WallLine& kept) {
+      return kept.offset == line.offset;
+    });
+    const bool is_beside_stronger =
+        std::any_of(after.begin(), after.end(), [&](const WallLine& kept) {
+          return kept.votes >= line.votes && std::abs(kept.offset - line.offset) < distance;
+        });
+    const bool is_beside_edge = std::min(line.offset, extent - line.offset) < distance;
+    EXPECT_TRUE(stayed || is_beside_stronger || is_beside_edge) << line.offset;
+  }
+}
+
+TEST(GridConstruction, M15_WeakLinesBesideStrongOnesGoWhereCellsAreTooMany) {
   std::mt19937 random(13);
-  for (int trial = 0; trial < 50; ++trial) {
-    Walls walls = randomWalls(random);
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(trial);
+    const Walls walls = randomWalls(random);
     const double limit = std::max(1.0, countCells(walls) / 3);
     const Walls limited = limitCells(walls, {limit});
     EXPECT_LE(countCells(limited), limit);
     if (countCells(walls) <= limit) continue;
-    EXPECT_EQ(limited.warnings.size(), 1U);
-    int weakest_kept = 1000;
-    for (const auto* axis : {&limited.vertical, &limited.horizontal}) {
-      for (const WallLine& line : *axis) weakest_kept = std::min(weakest_kept, line.votes);
+    ASSERT_EQ(limited.warnings.size(), 1U);
+    double distance = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto& kept = axis == 0 ? limited.vertical : limited.horizontal;
+      if (!kept.empty()) {
+        distance = std::min(distance, smallestGap(withEdges(kept, walls.extent[axis])));
+      }
     }
-    const auto stronger = [&](const WallLine& line) { return line.votes > weakest_kept; };
-    EXPECT_EQ(std::count_if(walls.vertical.begin(), walls.vertical.end(), stronger),
-              std::count_if(limited.vertical.begin(), limited.vertical.end(), stronger));
+    expectOnlyWeakLinesGone(walls.vertical, limited.vertical, walls.extent.x(), distance);
+    expectOnlyWeakLinesGone(walls.horizontal, limited.horizontal, walls.extent.y(), distance);
   }
   EXPECT_THROW(limitCells({}, {0}), std::invalid_argument);
+}
+
+TEST(GridConstruction, M15_HalfTheCellsCostFewLines) {
+  std::mt19937 random(29);
+  std::uniform_int_distribution<int> gap(5, 60);
+  std::uniform_int_distribution<int> votes(20, 900);
+  Walls walls;
+  walls.extent = Point2(2000, 2000);
+  for (double x = gap(random); x < 1995; x += gap(random))
+    walls.vertical.push_back({x, votes(random)});
+  for (double y = gap(random); y < 1995; y += gap(random))
+    walls.horizontal.push_back({y, votes(random)});
+  const Walls limited = limitCells(walls, {countCells(walls) / 2});
+  EXPECT_GT(limited.vertical.size(), walls.vertical.size() * 8 / 10);
+  EXPECT_GT(limited.horizontal.size(), walls.horizontal.size() * 8 / 10);
 }
 
 }  // namespace

@@ -13,9 +13,13 @@
 #include "grid/edge_image.h"
 #include "support/ascii_map.h"
 #include "support/floor_plan.h"
+#include "support/generated_maps.h"
 
 namespace agrid {
 namespace {
+
+using test::noise;
+using test::uniform;
 
 constexpr double kDegree = 3.14159265358979 / 180;
 
@@ -28,24 +32,6 @@ WallParams upright() {
 OccupancyMap randomPlanMap(unsigned seed, double turn_deg = 0) {
   std::mt19937 random(seed);
   return OccupancyMap(test::drawPlan(test::randomFloorPlan(random), turn_deg));
-}
-
-OccupancyGrid noise(unsigned seed, int width, int height, double density) {
-  std::mt19937 random(seed);
-  std::bernoulli_distribution occupied(density);
-  OccupancyGrid grid;
-  grid.geometry = {width, height, 0.05, Pose2{}};
-  for (std::size_t i = 0; i < grid.geometry.pixelCount(); ++i) {
-    grid.values.push_back(static_cast<std::int8_t>(occupied(random) ? 100 : 0));
-  }
-  return grid;
-}
-
-OccupancyGrid uniform(int width, int height, std::int8_t value) {
-  OccupancyGrid grid;
-  grid.geometry = {width, height, 0.05, Pose2{}};
-  grid.values.assign(grid.geometry.pixelCount(), value);
-  return grid;
 }
 
 /// Alg. 1 as it is printed: the transform in every round, every line seen so far against every
@@ -169,21 +155,6 @@ TEST(WallDetection, LinesKeepTheirDistanceFromEachOtherAndFromTheEdges) {
   }
 }
 
-TEST(WallDetection, TheGridFrameMovesWithTheMapsOrigin) {
-  OccupancyGrid grid = noise(4, 90, 70, 0.02);
-  const Walls at_zero = detectWalls(OccupancyMap(grid));
-  grid.geometry.map_from_image = {Point2(-3, 7), 0.7};
-  const Walls moved = detectWalls(OccupancyMap(grid));
-  const Point2 p(1.5, 2.5);
-  EXPECT_LT(
-      (moved.map_from_grid * p - grid.geometry.map_from_image * (at_zero.map_from_grid * p)).norm(),
-      1e-12);
-  ASSERT_EQ(moved.vertical.size(), at_zero.vertical.size());
-  for (std::size_t i = 0; i < moved.vertical.size(); ++i) {
-    EXPECT_EQ(moved.vertical[i].offset, at_zero.vertical[i].offset);
-  }
-}
-
 /// Lines with the votes of a whole wall; the ends of other walls add up to less.
 int countStrong(const std::vector<WallLine>& lines) {
   return static_cast<int>(std::count_if(lines.begin(), lines.end(),
@@ -202,42 +173,6 @@ TEST(WallDetection, ATurnedBuildingKeepsItsWalls) {
       EXPECT_NEAR(countStrong(turned.horizontal), countStrong(straight.horizontal), 1);
     }
   }
-}
-
-TEST(WallDetection, TheBoundingRectangleOfATurnedMapHoldsItsCorners) {
-  WallParams params = upright();
-  params.direction_deg = 30;
-  OccupancyGrid grid = noise(4, 120, 70, 0.02);
-  grid.geometry.map_from_image = {Point2(-3, 7), 0.7};
-  const Walls walls = detectWalls(OccupancyMap(grid), params);
-  EXPECT_NEAR(walls.map_from_grid.yaw, 0.7 + 30 * kDegree, 1e-12);
-  Point2 lowest(1e9, 1e9);
-  Point2 highest(-1e9, -1e9);
-  for (const Point2& corner : {Point2(0, 0), Point2(6, 0), Point2(0, 3.5), Point2(6, 3.5)}) {
-    const Point2 p = inverse(walls.map_from_grid) * (grid.geometry.map_from_image * corner);
-    lowest = lowest.cwiseMin(p);
-    highest = highest.cwiseMax(p);
-  }
-  EXPECT_LT(lowest.norm(), 1e-9);
-  EXPECT_LT((highest - walls.extent).norm(), 1e-9);
-}
-
-TEST(WallDetection, AFixedDirectionCountsModuloARightAngle) {
-  WallParams params = upright();
-  for (const double direction_deg : {0.0, 90.0, -90.0, 360.0}) {
-    params.direction_deg = direction_deg;
-    EXPECT_EQ(detectWalls(randomPlanMap(3), params).map_from_grid.yaw, 0);
-  }
-}
-
-TEST(WallDetection, ALongMapThatCannotBeTurnedLiesAlongTheImageAndSaysSo) {
-  WallParams params = upright();
-  params.direction_deg = 45;
-  const Walls walls = detectWalls(OccupancyMap(noise(2, 100000, 10, 0.1)), params);
-  EXPECT_EQ(walls.map_from_grid.yaw, 0);
-  EXPECT_DOUBLE_EQ(walls.extent.x(), 5000);
-  ASSERT_FALSE(walls.warnings.empty());
-  EXPECT_NE(walls.warnings[0].find("too long"), std::string::npos);
 }
 
 TEST(WallDetection, TheSameMapGivesTheSameWallsWithAnyNumberOfThreads) {

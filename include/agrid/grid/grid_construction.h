@@ -10,7 +10,7 @@ namespace agrid {
 
 /// Bounds on the A-Grid.
 struct GridParams {
-  double max_cells = 4e6;  ///< beyond it the wall lines with the fewest votes go, with a warning
+  double max_cells = 4e6;  ///< beyond it weak wall lines beside strong ones go, with a warning
 };
 
 /// Splits the map's bounding rectangle into cells bounded by wall lines (paper, Alg. 2).
@@ -26,8 +26,10 @@ AGrid constructGrid(const Walls& walls);
 /// Number of cells that constructGrid would make; does not make them.
 double countCells(const Walls& walls);
 
-/// Drops the wall lines with the fewest votes until the grid has at most `params.max_cells` cells,
-/// and says so in the warnings. Walls of a smaller grid come back as they are.
+/// Drops wall lines until the grid has at most `params.max_cells` cells, and says so in the
+/// warnings. The number of cells hangs on the smallest gap: so of lines that lie close together the
+/// one with the fewest votes goes, for the least distance that suffices. Walls of a grid that is
+/// small enough come back as they are.
 /// @throws std::invalid_argument if max_cells < 1, or for walls that constructGrid refuses
 Walls limitCells(Walls walls, const GridParams& params = {});
 
