@@ -21,12 +21,12 @@ class Furnisher {
     pieces_.clear();
     for (const std::size_t index : room.doorways) {
       const Doorway& door = plan_.doorways[index];
-      PixelRect zone = door.opening;
-      zone.lo[door.axis] -= scale_.pixels(kDoorZone);
-      zone.hi[door.axis] += scale_.pixels(kDoorZone);
-      taken_.push_back(zone);
+      keepClear(door.opening, door.axis);
       const bool leaf = random_.chance(40);
       if (leaf && !door.shut && room.kind == RoomKind::kOffice) drawLeaf(door, room);
+    }
+    for (const std::size_t index : room.junctions) {
+      keepClear(plan_.junctions[index].opening, plan_.junctions[index].axis);
     }
     if (room.kind == RoomKind::kCorridor) return furnishCorridor(room);
     if (room.kind == RoomKind::kHall) {
@@ -39,6 +39,12 @@ class Furnisher {
 
  private:
   int leg() const { return std::max(1, scale_.pixels(60)); }
+
+  void keepClear(PixelRect opening, int axis) {
+    opening.lo[axis] -= scale_.pixels(kDoorZone);
+    opening.hi[axis] += scale_.pixels(kDoorZone);
+    taken_.push_back(opening);
+  }
 
   /// Reserves the place if nothing stands too close.
   bool take(const PixelRect& box) {
@@ -153,8 +159,15 @@ class Furnisher {
 
   /// Four legs around the centre, or the column of a swivel chair.
   void drawChair(const std::array<int, 2>& center) {
+    const PixelRect place =
+        PixelRect{center, {center[0] + 1, center[1] + 1}}.grown(scale_.pixels(500));
+    const auto overlaps = [&](const PixelRect& other) { return other.overlaps(place); };
+    // The last piece is the table that the chair belongs to.
+    const bool in_way = std::any_of(taken_.begin(), taken_.end(), overlaps) ||
+                        std::any_of(pieces_.begin(), pieces_.end() - 1, overlaps);
     const int half = scale_.pixels(random_.between(190, 230));
     const bool swivel = random_.chance(40);
+    if (in_way) return;
     const PixelRect seat =
         PixelRect{center, {center[0] + 1, center[1] + 1}}.grown(swivel ? leg() / 2 : half);
     if (swivel) {
@@ -226,7 +239,7 @@ class Furnisher {
   OfficeScale scale_;
   RandomSource& random_;
   GridCanvas& canvas_;
-  std::vector<PixelRect> taken_;   ///< zones before the doors of the room
+  std::vector<PixelRect> taken_;   ///< zones before doors and where corridors meet
   std::vector<PixelRect> pieces_;  ///< what stands in the room
 };
 

@@ -107,6 +107,14 @@ void drawStrayPoints(const OfficeScale& scale, RandomSource& random, Office& off
   }
 }
 
+/// Whether furniture or shade at a place would stand before a door of the room.
+bool beforeDoor(const OfficePlan& plan, const OfficeScale& scale, const PlannedRoom& room,
+                const PixelRect& place) {
+  return std::any_of(room.doorways.begin(), room.doorways.end(), [&](std::size_t door) {
+    return plan.doorways[door].opening.grown(scale.pixels(1000)).overlaps(place);
+  });
+}
+
 /// Corners that no scan reached.
 void drawUnseenCorners(const OfficePlan& plan, const OfficeScale& scale, RandomSource& random,
                        GridCanvas& canvas) {
@@ -116,14 +124,15 @@ void drawUnseenCorners(const OfficePlan& plan, const OfficeScale& scale, RandomS
     const bool low = random.chance(50);
     const int width = scale.pixels(random.between(200, 900));
     const int height = scale.pixels(random.between(200, 900));
-    if (!unseen) continue;
-    const int x0 = left ? room.inside.lo[0] : room.inside.hi[0] - 1;
-    const int y0 = low ? room.inside.lo[1] : room.inside.hi[1] - 1;
+    const int x0 = left ? room.inside.lo[0] : room.inside.hi[0] - width;
+    const int y0 = low ? room.inside.lo[1] : room.inside.hi[1] - height;
+    const PixelRect corner{{x0, y0}, {x0 + width, y0 + height}};
+    if (!unseen || beforeDoor(plan, scale, room, corner)) continue;
     for (int dy = 0; dy < height; ++dy) {
       for (int dx = 0; dx < width * (height - dy) / height; ++dx) {
-        const int x = left ? x0 + dx : x0 - dx;
-        const int y = low ? y0 + dy : y0 - dy;
-        if (canvas.contains(x, y) && canvas.at(x, y) == kFreeValue) canvas.set(x, y, kUnknownValue);
+        const int x = left ? corner.lo[0] + dx : corner.hi[0] - 1 - dx;
+        const int y = low ? corner.lo[1] + dy : corner.hi[1] - 1 - dy;
+        if (canvas.at(x, y) == kFreeValue) canvas.set(x, y, kUnknownValue);
       }
     }
   }
@@ -132,10 +141,15 @@ void drawUnseenCorners(const OfficePlan& plan, const OfficeScale& scale, RandomS
 /// Rays that left the building through the windows of one room.
 class WindowRays {
  public:
-  WindowRays(const OfficeScale& scale, RandomSource& random, GridCanvas& canvas)
-      : scale_(scale), random_(random), canvas_(canvas) {}
+  WindowRays(const PixelRect& building, const OfficeScale& scale, RandomSource& random,
+             GridCanvas& canvas)
+      : building_(building), scale_(scale), random_(random), canvas_(canvas) {}
 
+  /// Through the wall at the upper or lower end of an axis, if that is an outer one.
   void draw(const PlannedRoom& room, int axis, bool at_hi) {
+    const int beyond =
+        at_hi ? room.inside.hi[axis] + scale_.wall() : room.inside.lo[axis] - scale_.wall();
+    if (beyond > building_.lo[axis] && beyond < building_.hi[axis]) return;
     const int along = 1 - axis;
     const int face = at_hi ? room.inside.hi[axis] - 1 : room.inside.lo[axis];
     const int step = at_hi ? 1 : -1;
@@ -146,7 +160,6 @@ class WindowRays {
     const int low = std::max(room.inside.lo[along], center - half);
     const int high = std::min(room.inside.hi[along] - 1, center + half);
     const int eye = random_.between(room.inside.lo[along], room.inside.hi[along] - 1);
-    if (!outside(axis, face + step * (scale_.wall() + 1), low, high)) return;
     for (int at = low; at <= high; at += spacing) {
       const int length = scale_.pixels(random_.between(400, 5000));
       const bool hit = random_.chance(50);
@@ -166,14 +179,6 @@ class WindowRays {
     bool hit;  ///< something stands at its end
   };
 
-  bool outside(int axis, int line, int low, int high) const {
-    for (int at = low; at <= high; ++at) {
-      const auto [x, y] = place(axis, line, at);
-      if (!canvas_.contains(x, y) || canvas_.at(x, y) != kUnknownValue) return false;
-    }
-    return low <= high;
-  }
-
   static std::array<int, 2> place(int axis, int forward, int sideways) {
     return axis == 0 ? std::array<int, 2>{forward, sideways}
                      : std::array<int, 2>{sideways, forward};
@@ -191,7 +196,8 @@ class WindowRays {
     }
   }
 
-  const OfficeScale& scale_;
+  PixelRect building_;
+  OfficeScale scale_;
   RandomSource& random_;
   GridCanvas& canvas_;
 };
@@ -205,7 +211,7 @@ void drawNoise(const OfficePlan& plan, const OfficeScale& scale, RandomSource& r
   WallRoughener(office, seed).run();
   drawUnseenCorners(plan, scale, random, canvas);
   drawStrayPoints(scale, random, office);
-  WindowRays rays(scale, random, canvas);
+  WindowRays rays(plan.building, scale, random, canvas);
   for (const PlannedRoom& room : plan.rooms) {
     const int axis = random.between(0, 1);
     const bool at_hi = random.chance(50);

@@ -23,7 +23,9 @@ class Divider {
     Block block;
     block.lines = building;
     divide(block);
-    return rooms_.takePlan();
+    OfficePlan plan = rooms_.takePlan();
+    plan.building = building;
+    return plan;
   }
 
  private:

@@ -49,8 +49,9 @@ enum class RoomKind { kCorridor, kOffice, kMeeting, kHall };
 struct PlannedRoom {
   PixelRect inside;  ///< its floor
   RoomKind kind = RoomKind::kOffice;
-  std::uint16_t label = 0;            ///< the same for corridors that run into each other
-  std::vector<std::size_t> doorways;  ///< indices into OfficePlan::doorways
+  std::uint16_t label = 0;             ///< the same for corridors that run into each other
+  std::vector<std::size_t> doorways;   ///< indices into OfficePlan::doorways
+  std::vector<std::size_t> junctions;  ///< indices into OfficePlan::junctions
 };
 
 struct Doorway {
@@ -63,11 +64,13 @@ struct Doorway {
 /// Where a corridor runs into another.
 struct Junction {
   PixelRect opening;     ///< the whole end of the corridor
+  int axis = 0;          ///< the axis that leads through it
   std::size_t room = 0;  ///< the corridor
 };
 
 /// A building on paper: no pixel is drawn yet.
 struct OfficePlan {
+  PixelRect building;  ///< its outer wall lines
   std::vector<PlannedRoom> rooms;
   std::vector<Doorway> doorways;
   std::vector<Junction> junctions;

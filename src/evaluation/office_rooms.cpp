@@ -63,8 +63,11 @@ int RoomPlanner::addDoor(const DoorOrder& order) {
 void RoomPlanner::addJunction(int corridor, int other, WallPlace place) {
   const int start = place.line - scale_.wall() / 2;
   const auto range = sharedRange(corridor, other, 1 - place.axis);
+  for (const int room : {corridor, other}) {
+    plan_.rooms[static_cast<std::size_t>(room)].junctions.push_back(plan_.junctions.size());
+  }
   plan_.junctions.push_back({rectAlong(place.axis, {start, start + scale_.wall()}, range),
-                             static_cast<std::size_t>(corridor)});
+                             place.axis, static_cast<std::size_t>(corridor)});
   merged_into_[static_cast<std::size_t>(root(corridor))] = root(other);
 }
 

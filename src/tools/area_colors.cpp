@@ -49,7 +49,7 @@ std::vector<cv::Vec3b> areaColors(const AreaMap& areas) {
       hue = std::fmod(hue + kGoldenRatio, 1.0);
     }
     hues[area.id] = hue;
-    constexpr std::array<double, 3> kSaturations{0.38, 0.28, 0.48};
+    constexpr std::array<double, 3> kSaturations{0.30, 0.22, 0.38};
     colors.push_back(fromHsv(hue, kSaturations[id % 3], 0.97));
   }
   return colors;

@@ -60,7 +60,7 @@ Canvas::Canvas(const OccupancyMap& map, const MapColors& colors)
       image_(drawMap(map, colors)) {
   const int side = std::max(image_.cols, image_.rows);
   stroke_ = std::max(1, static_cast<int>(std::lround(side / 700.0)));
-  text_height_ = std::clamp(side / 130.0, 9.0, 22.0);
+  text_height_ = std::clamp(side / 95.0, 10.0, 30.0);
 }
 
 cv::Point Canvas::fixedPoint(const Point2& point_map) const {
