@@ -10,9 +10,7 @@
 namespace agrid::tools {
 namespace {
 
-std::vector<Command> allCommands() {
-  return {convertCommand(), generateCommand(), planCommand()};
-}
+std::vector<Command> allCommands() { return {convertCommand(), generateCommand(), planCommand()}; }
 
 std::string toolHelp(const std::vector<Command>& commands) {
   std::string text =

@@ -89,8 +89,8 @@ cv::Mat drawEdges(const cv::Mat& edges) {
 }
 
 cv::Mat drawWalls(const Structure& structure) {
-  Canvas canvas(*structure.map, kFaint);
-  canvas.blend(0.75, [&](Canvas& layer) {
+  Canvas canvas(*structure.map, kPlain);
+  canvas.blend(0.65, [&](Canvas& layer) {
     for (const WallLine& line : structure.walls.vertical) {
       gridLine(layer, structure, 0, line.offset, kLineRed);
     }

@@ -188,10 +188,13 @@ TEST(ConvertCommand, F28_FailureLeavesNothingBehind) {
 TEST(ConvertCommand, ParametersReachThePipeline) {
   const TempDirectory temp;
   saveMap(twoRooms(), temp / "map.yaml");
-  ASSERT_EQ(convert(temp, "all"), kDone);
-  ASSERT_EQ(convert(temp, "few", {"--param", "max_cells=4", "--method", "paper"}), kDone);
-  EXPECT_LE(json::parse(readFile(temp / "few/summary.json"))["cells"], 4);
-  EXPECT_GT(json::parse(readFile(temp / "all/summary.json"))["cells"], 4);
+  ASSERT_EQ(convert(temp, "narrow", {"--param", "max_door_width=0.5"}), kDone);
+  EXPECT_EQ(json::parse(readFile(temp / "narrow/graph.json"))["doors"][0]["kind"], "PASSAGE");
+  ASSERT_EQ(convert(temp, "large", {"-p", "min_area_size=20", "-p", "canny_low=2"}), kDone);
+  EXPECT_EQ(json::parse(readFile(temp / "large/summary.json"))["areas"], 1);
+  const std::vector<std::string> paper{"--method", "paper", "-p", "passage_max_width=0.6"};
+  ASSERT_EQ(convert(temp, "paper", paper), kDone);
+  EXPECT_EQ(json::parse(readFile(temp / "paper/summary.json"))["areas"], 1) << "no passage";
 }
 
 }  // namespace
