@@ -53,14 +53,14 @@ cv::Mat fitted(const cv::Mat& image) {
   return result;
 }
 
-Canvas::Canvas(const OccupancyMap& map, const MapColors& colors)
+Canvas::Canvas(const OccupancyMap& map, const MapColors& colors, double emphasis)
     : map_(map),
       geometry_(map.geometry()),
       scale_(scaleFor(geometry_.width, geometry_.height)),
       image_(drawMap(map, colors)) {
   const int side = std::max(image_.cols, image_.rows);
-  stroke_ = std::max(1, static_cast<int>(std::lround(side / 700.0)));
-  text_height_ = std::clamp(side / 95.0, 10.0, 30.0);
+  stroke_ = std::max(1, static_cast<int>(std::lround(emphasis * side / 700)));
+  text_height_ = emphasis * std::clamp(side / 95.0, 10.0, 30.0);
 }
 
 cv::Point Canvas::fixedPoint(const Point2& point_map) const {
@@ -106,7 +106,7 @@ double Canvas::textWidth(const std::string& text, double height_px) {
 void Canvas::text(const Point2& center, double down_px, const std::string& text, double height_px) {
   const double scale =
       cv::getFontScaleFromHeight(cv::FONT_HERSHEY_SIMPLEX, 100, 1) / 100 * height_px;
-  const int thickness = height_px > 14 ? 2 : 1;
+  const int thickness = std::max(1, static_cast<int>(height_px / 9));
   const cv::Point middle = fixedPoint(center);
   const cv::Point corner(
       (middle.x >> kShift) - static_cast<int>(textWidth(text, height_px) / 2),

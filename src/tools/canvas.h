@@ -21,7 +21,8 @@ struct MapColors {
 /// given in the map's frame [m].
 class Canvas {
  public:
-  Canvas(const OccupancyMap& map, const MapColors& colors);
+  /// @param emphasis  enlarges lines and text, for a picture that will be shown small
+  Canvas(const OccupancyMap& map, const MapColors& colors, double emphasis = 1);
 
   const cv::Mat& image() const { return image_; }
   /// Pixels of the picture for a metre.

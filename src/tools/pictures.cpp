@@ -16,6 +16,8 @@ const MapColors kFaint{cv::Scalar::all(255), cv::Scalar::all(140), cv::Scalar::a
 const cv::Scalar kDoorBlue(215, 95, 20);
 const cv::Scalar kLineBlue(190, 120, 60);
 const cv::Scalar kLineRed(70, 70, 215);
+constexpr int kOverviewSide = 1600;        // [px]
+constexpr double kOverviewEmphasis = 1.6;  // it is shown small
 const cv::Scalar kInk(80, 55, 45);
 
 /// A line of the grid frame across the whole grid: at `offset` of axis 0 (x) or 1 (y).
@@ -130,7 +132,7 @@ cv::Mat drawGraph(const SemanticMap& map) {
 
 cv::Mat drawOverview(const SemanticMap& map) {
   const Canvas before(map.map(), kPlain);
-  Canvas after(map.map(), kPlain);
+  Canvas after(map.map(), kPlain, kOverviewEmphasis);
   fillAreas(after, map);
   drawEdgesOfGraph(after, map);
   drawDoors(after, map.area_map);
@@ -145,6 +147,8 @@ cv::Mat drawOverview(const SemanticMap& map) {
   const std::vector<cv::Mat> parts{before.image(), space, after.image()};
   if (wide) cv::vconcat(parts, both);
   if (!wide) cv::hconcat(parts, both);
+  const double scale = static_cast<double>(kOverviewSide) / std::max(both.cols, both.rows);
+  if (scale < 1) cv::resize(both, both, {}, scale, scale, cv::INTER_AREA);
   return both;
 }
 

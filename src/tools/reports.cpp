@@ -62,30 +62,38 @@ Json doorJson(const Door& door) {
 }
 
 /// Names come from people: bytes that are no UTF-8 are replaced, not thrown at.
-std::string dump(const Json& json) {
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string dump(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+/// An array with a line for each element, so that what changed shows line by line.
+std::string dumpLines(const Json& array) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    text += (i == 0 ? "\n  " : ",\n  ") + dump(array[i], -1);
+  }
+  return text + "]";
 }
 
 }  // namespace
 
 std::string graphJson(const SemanticMap& map) {
   const MapGeometry& geometry = map.map().geometry();
-  Json json;
-  json["format_version"] = 1;
-  json["frame"] = "map";
-  json["map"] = {{"digest", map.map().digest()},
-                 {"width", geometry.width},
-                 {"height", geometry.height},
-                 {"resolution", geometry.resolution},
-                 {"map_from_image", pose(geometry.map_from_image)}};
-  json["grid"] = {{"rows", map.grid().rows()},
-                  {"columns", map.grid().columns()},
-                  {"map_from_grid", pose(map.grid().mapFromGrid())}};
-  json["areas"] = Json::array();
-  for (const Area& area : map.area_map.areas) json["areas"].push_back(areaJson(area));
-  json["doors"] = Json::array();
-  for (const Door& door : map.area_map.doors) json["doors"].push_back(doorJson(door));
-  return dump(json);
+  const Json about_map = {{"digest", map.map().digest()},
+                          {"width", geometry.width},
+                          {"height", geometry.height},
+                          {"resolution", geometry.resolution},
+                          {"map_from_image", pose(geometry.map_from_image)}};
+  const Json about_grid = {{"rows", map.grid().rows()},
+                           {"columns", map.grid().columns()},
+                           {"map_from_grid", pose(map.grid().mapFromGrid())}};
+  Json areas = Json::array();
+  for (const Area& area : map.area_map.areas) areas.push_back(areaJson(area));
+  Json doors = Json::array();
+  for (const Door& door : map.area_map.doors) doors.push_back(doorJson(door));
+  return "{\"format_version\": 1,\n \"frame\": \"map\",\n \"map\": " + dump(about_map, -1) +
+         ",\n \"grid\": " + dump(about_grid, -1) + ",\n \"areas\": " + dumpLines(areas) +
+         ",\n \"doors\": " + dumpLines(doors) + "}\n";
 }
 
 std::string summaryJson(const SemanticMap& map, const std::vector<StageCost>& costs,
@@ -108,7 +116,7 @@ std::string summaryJson(const SemanticMap& map, const std::vector<StageCost>& co
   }
   json["seconds"] = rounded(total);
   json["warnings"] = warnings;
-  return dump(json);
+  return dump(json, 1) + "\n";
 }
 
 std::vector<Segment> doorSegments(const AreaMap& areas) {

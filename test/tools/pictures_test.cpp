@@ -46,6 +46,20 @@ TEST(Pictures, HugeMapsAreReduced) {
   EXPECT_NEAR(picture.rows, 44, 1);
 }
 
+TEST(Pictures, OverviewShowsTheMapTwice) {
+  const cv::Mat overview = drawOverview(threeRooms());
+  EXPECT_EQ(overview.cols, 720);  // a wide map: one above the other
+  EXPECT_EQ(overview.rows, 2 * 240 + 12);
+  const cv::Mat before = overview.rowRange(0, 240);
+  const cv::Mat after = overview.rowRange(252, 492);
+  const auto colored = [](const cv::Mat& part) {
+    return std::count_if(part.begin<cv::Vec3b>(), part.end<cv::Vec3b>(),
+                         [](const cv::Vec3b& c) { return c[0] != c[1] || c[1] != c[2]; });
+  };
+  EXPECT_EQ(colored(before), 0);
+  EXPECT_GT(colored(after), 240 * 720 / 2);
+}
+
 TEST(Pictures, AreasAreFilledWithTheirColors) {
   const SemanticMap map = threeRooms();
   ASSERT_EQ(map.area_map.areas.size(), 3U);
