@@ -2,6 +2,7 @@
 #include "areas/area_description.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "areas/outline.h"
 #include "tags/free_space.h"
@@ -10,7 +11,8 @@ namespace agrid {
 namespace {
 
 struct Measures {
-  cv::Rect box;
+  Pixel low{std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
+  Pixel high{-1, -1};  ///< of its bounding box, both included
   std::size_t size_px = 0;
   Pixel anchor;
   float clearance_px = 0;
@@ -23,12 +25,14 @@ std::vector<Measures> measure(const OccupancyMap& map, const AreaLabels& labels)
                  [](Occupancy o) { return o == Occupancy::kFree ? 1 : 0; });
   const cv::Mat1f distance = distanceFromWalls(is_free);
   std::vector<Measures> measures(labels.tags.size());
+  std::size_t index = 0;
   for (int y = 0; y < geometry.height; ++y) {
-    for (int x = 0; x < geometry.width; ++x) {
-      const std::uint32_t label = labels.of_pixel[geometry.index({x, y})];
+    for (int x = 0; x < geometry.width; ++x, ++index) {
+      const std::uint32_t label = labels.of_pixel[index];
       if (label == AreaLabels::kNone || is_free(y, x) == 0) continue;
       Measures& m = measures[label];
-      m.box |= cv::Rect(x, y, 1, 1);
+      m.low = {std::min(m.low.x, x), std::min(m.low.y, y)};
+      m.high = {std::max(m.high.x, x), std::max(m.high.y, y)};
       ++m.size_px;
       if (distance(y, x) <= m.clearance_px) continue;
       m.clearance_px = distance(y, x);
@@ -38,15 +42,13 @@ std::vector<Measures> measure(const OccupancyMap& map, const AreaLabels& labels)
   return measures;
 }
 
-Polygon outlineOf(std::uint32_t label, const cv::Rect& box, const OccupancyMap& map,
+Polygon outlineOf(std::uint32_t label, const Measures& m, const MapGeometry& geometry,
                   const AreaLabels& labels) {
-  const MapGeometry& geometry = map.geometry();
+  const cv::Rect box(m.low.x, m.low.y, m.high.x - m.low.x + 1, m.high.y - m.low.y + 1);
   cv::Mat1b shape(box.size());
   for (int y = 0; y < box.height; ++y) {
-    for (int x = 0; x < box.width; ++x) {
-      const Pixel p{box.x + x, box.y + y};
-      shape(y, x) = labels.of_pixel[geometry.index(p)] == label ? 1 : 0;
-    }
+    const std::uint32_t* row = &labels.of_pixel[geometry.index({box.x, box.y + y})];
+    for (int x = 0; x < box.width; ++x) shape(y, x) = row[x] == label ? 1 : 0;
   }
   Polygon outline = traceOutline(shape);
   for (Point2& corner : outline) {
@@ -71,7 +73,7 @@ std::vector<Area> describeAreas(const OccupancyMap& map, const AreaLabels& label
     area.anchor_map = geometry.center(m.anchor);
     // from centre to centre; the wall begins half a pixel before
     area.anchor_clearance = (static_cast<double>(m.clearance_px) - 0.5) * geometry.resolution;
-    area.outline_map = outlineOf(i, m.box, map, labels);
+    area.outline_map = outlineOf(i, m, geometry, labels);
     area.size = static_cast<double>(m.size_px) * geometry.resolution * geometry.resolution;
     area.source = tag.source;
     area.properties = tag.properties;

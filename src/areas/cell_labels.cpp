@@ -2,6 +2,7 @@
 #include "areas/cell_labels.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace agrid {
 namespace {
@@ -13,26 +14,51 @@ struct Run {
   std::uint32_t length = 0;
 };
 
+/// A cell of the grid as it was found last; neighbouring pixels mostly share it.
+struct LastCell {
+  std::uint32_t index = 0;
+  Point2 low = Point2::Constant(1);
+  Point2 high = Point2::Zero();  ///< an empty cell to begin with
+
+  bool holds(const Point2& p) const {
+    return p.x() >= low.x() && p.y() >= low.y() && p.x() < high.x() && p.y() < high.y();
+  }
+};
+
+std::optional<LastCell> findCell(const AGrid& grid, const Point2& point_grid) {
+  const auto cell = grid.cellAtGridPoint(point_grid);
+  if (!cell) return std::nullopt;
+  const auto column = static_cast<std::size_t>(cell->column);
+  const auto row = static_cast<std::size_t>(cell->row);
+  return LastCell{static_cast<std::uint32_t>(grid.index(*cell)),
+                  {grid.x()[column], grid.y()[row]},
+                  {grid.x()[column + 1], grid.y()[row + 1]}};
+}
+
 std::vector<Run> collectRuns(const AGrid& grid, const MapGeometry& geometry,
                              const std::vector<std::uint16_t>& pixel_labels) {
   std::vector<Run> runs;
   const Pose2 grid_from_map = inverse(grid.mapFromGrid());
-  const Point2 step =
-      grid_from_map * geometry.center({1, 0}) - grid_from_map * geometry.center({0, 0});
+  const Point2 origin = grid_from_map * geometry.center({0, 0});
+  const Point2 step_x = grid_from_map * geometry.center({1, 0}) - origin;
+  const Point2 step_y = grid_from_map * geometry.center({0, 1}) - origin;
+  LastCell cell;
   for (int y = 0; y < geometry.height; ++y) {
-    const Point2 row_start = grid_from_map * geometry.center({0, y});
     const std::size_t first = geometry.index({0, y});
     runs.push_back({});  // no run goes on from the row before
     for (int x = 0; x < geometry.width; ++x) {
       const std::uint16_t label = pixel_labels[first + static_cast<std::size_t>(x)];
       if (label == 0) continue;
-      const auto cell = grid.cellAtGridPoint(row_start + step * x);
-      if (!cell) continue;
-      const auto index = static_cast<std::uint32_t>(grid.index(*cell));
-      if (runs.back().label == label && runs.back().cell == index) {
+      const Point2 point = origin + step_x * x + step_y * y;
+      if (!cell.holds(point)) {
+        const auto found = findCell(grid, point);
+        if (!found) continue;
+        cell = *found;
+      }
+      if (runs.back().label == label && runs.back().cell == cell.index) {
         ++runs.back().length;
       } else {
-        runs.push_back({index, label, 1});
+        runs.push_back({cell.index, label, 1});
       }
     }
   }

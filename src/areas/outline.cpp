@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "areas/outline.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -54,10 +56,9 @@ std::vector<cv::Point> traceCorners(const cv::Mat1b& shape, const cv::Point& low
 
 Polygon traceOutline(const cv::Mat1b& shape) {
   const cv::Mat1b part = largestPart(shape);
-  std::vector<cv::Point> pixels;
-  cv::findNonZero(part, pixels);
-  if (pixels.empty()) return {};
-  std::vector<cv::Point> corners = traceCorners(part, pixels.front());
+  const auto lowest = std::find_if(part.begin(), part.end(), [](std::uint8_t v) { return v != 0; });
+  if (lowest == part.end()) return {};
+  std::vector<cv::Point> corners = traceCorners(part, lowest.pos());
   std::vector<cv::Point> simplified;
   cv::approxPolyDP(corners, simplified, kTolerance_px, true);
   // a shape as thin as the tolerance would collapse

@@ -33,6 +33,7 @@ void validate(const AreaParams& params) {
            Bounds{"merge_ratio", params.merge_ratio, 1e-3, 1},
            Bounds{"min_prominence", params.min_prominence, 0, 100},
            Bounds{"min_area_size", params.min_area_size, 0, 1e6},
+           Bounds{"min_area_clearance", params.min_area_clearance, 0, 100},
            Bounds{"max_door_width", params.max_door_width, 0, 1e3},
            Bounds{"min_border_length", params.min_border_length, 0, 1e3},
            Bounds{"passages.min_width", passages.min_width, 0, 100},

@@ -23,8 +23,10 @@ std::vector<Pixel> findPeaks(const Relief& relief, const std::vector<Pixel>& giv
   }
   std::vector<Pixel> peaks;
   for (std::size_t i = 0; i < basins.basins.size(); ++i) {
+    const Basin& basin = basins.basins[i];
     if (area_of[i] != i || is_given[i]) continue;
-    const std::size_t peak = basins.basins[i].peak;
+    if (basin.height * resolution < params.min_area_clearance) continue;
+    const std::size_t peak = basin.peak;
     peaks.push_back({static_cast<int>(peak % columns), static_cast<int>(peak / columns)});
   }
   return peaks;

@@ -9,7 +9,8 @@
 
 namespace agrid {
 
-/// The highest peak of each area by mergeByPersistence, without those that hold a pixel of `given`.
+/// The highest peak of each area by mergeByPersistence, without those that hold a pixel of `given`
+/// and those too narrow to be entered.
 std::vector<Pixel> findPeaks(const Relief& relief, const std::vector<Pixel>& given,
                              double resolution, const AreaParams& params);
 

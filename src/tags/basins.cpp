@@ -24,11 +24,19 @@ class Ascent {
     crossPlateaus();
   }
 
-  /// Calls f(neighbour's number, its index) for each neighbour inside the relief.
+  /// Calls f(pixel, its index) for each pixel of the relief, row by row.
   template <typename F>
-  void forEachNeighbour(std::size_t index, F f) const {
-    const auto columns = static_cast<std::size_t>(relief_.cols);
-    const Pixel p{static_cast<int>(index % columns), static_cast<int>(index / columns)};
+  void forEachPixel(F f) const {
+    std::size_t index = 0;
+    for (int y = 0; y < relief_.rows; ++y) {
+      for (int x = 0; x < relief_.cols; ++x, ++index) {
+        if (height(index) > 0) f(Pixel{x, y}, index);
+      }
+    }
+  }
+  /// Calls f(neighbour's number, its index) for each neighbour of a pixel inside the image.
+  template <typename F>
+  void forEachNeighbour(Pixel p, std::size_t index, F f) const {
     const bool inner = p.x > 0 && p.y > 0 && p.x + 1 < relief_.cols && p.y + 1 < relief_.rows;
     for (std::uint8_t n = 0; n < kNeighbours.size(); ++n) {
       const Pixel q = p + kNeighbours[n];
@@ -45,39 +53,40 @@ class Ascent {
 
  private:
   void takeSteepest() {
-    for (std::size_t i = 0; i < size(); ++i) {
+    forEachPixel([&](Pixel p, std::size_t i) {
       const float h = height(i);
-      if (h <= 0) continue;
-      float best = 0;
-      forEachNeighbour(i, [&](std::uint8_t n, std::size_t j) {
-        const float slope = (height(j) - h) * (n < 4 ? 1.F : 0.70710678F);
-        if (slope > best) {
-          best = slope;
-          up_[i] = n;
-        }
+      std::array<float, 2> highest{h, h};  // straight and diagonal neighbours
+      forEachNeighbour(p, i, [&](std::uint8_t n, std::size_t j) {
+        highest[n / 4] = std::max(highest[n / 4], height(j));
       });
-    }
+      const bool is_diagonal = (highest[1] - h) * 0.70710678F > highest[0] - h;
+      const float target = highest[is_diagonal ? 1 : 0];
+      if (target <= h) return;
+      forEachNeighbour(p, i, [&](std::uint8_t n, std::size_t j) {
+        if (up_[i] == kFlat && (n >= 4) == is_diagonal && height(j) == target) up_[i] = n;
+      });
+    });
   }
 
   void crossPlateaus() {
     std::vector<std::size_t> queue;
-    for (std::size_t i = 0; i < size(); ++i) {
-      if (height(i) > 0 && up_[i] == kFlat && followEqual(i)) queue.push_back(i);
-    }
+    forEachPixel([&](Pixel p, std::size_t i) {
+      if (up_[i] == kFlat && followEqual(p, i)) queue.push_back(i);
+    });
     for (const std::size_t i : queue) up_[i] = static_cast<std::uint8_t>(up_[i] - kDeferred);
     spread(queue);
-    for (std::size_t i = 0; i < size(); ++i) {
-      if (height(i) <= 0 || up_[i] != kFlat) continue;
+    forEachPixel([&](Pixel, std::size_t i) {
+      if (up_[i] != kFlat) return;
       up_[i] = kPeak;
       queue.assign(1, i);
       spread(queue);
-    }
+    });
   }
 
   /// Marks a flat pixel at the rim of its plateau; the mark becomes a direction once all are found,
   /// so that the order of the scan does not matter.
-  bool followEqual(std::size_t i) {
-    forEachNeighbour(i, [&](std::uint8_t n, std::size_t j) {
+  bool followEqual(Pixel p, std::size_t i) {
+    forEachNeighbour(p, i, [&](std::uint8_t n, std::size_t j) {
       if (up_[i] == kFlat && height(j) == height(i) && up_[j] < kPeak) {
         up_[i] = static_cast<std::uint8_t>(n + kDeferred);
       }
@@ -87,9 +96,11 @@ class Ascent {
 
   /// Lets the rest of each plateau follow the pixels in the queue, nearest first.
   void spread(std::vector<std::size_t>& queue) {
+    const auto columns = static_cast<std::size_t>(relief_.cols);
     for (std::size_t head = 0; head < queue.size(); ++head) {
       const std::size_t i = queue[head];
-      forEachNeighbour(i, [&](std::uint8_t n, std::size_t j) {
+      const Pixel p{static_cast<int>(i % columns), static_cast<int>(i / columns)};
+      forEachNeighbour(p, i, [&](std::uint8_t n, std::size_t j) {
         if (up_[j] != kFlat || height(j) != height(i)) return;
         up_[j] = static_cast<std::uint8_t>(n < 4 ? (n + 2) % 4 : 4 + (n - 2) % 4);
         queue.push_back(j);
@@ -106,8 +117,7 @@ class Ascent {
 /// Follows each pixel up to its peak or to a pixel already known.
 void labelPixels(const Ascent& ascent, Basins& result) {
   std::vector<std::size_t> path;
-  for (std::size_t start = 0; start < ascent.size(); ++start) {
-    if (ascent.height(start) <= 0) continue;
+  ascent.forEachPixel([&](Pixel, std::size_t start) {
     path.clear();
     std::size_t i = start;
     while (result.of_pixel[i] == Basins::kNone && !ascent.isPeak(i)) {
@@ -121,22 +131,21 @@ void labelPixels(const Ascent& ascent, Basins& result) {
     const std::uint32_t basin = result.of_pixel[i];
     for (const std::size_t j : path) result.of_pixel[j] = basin;
     result.basins[basin].size_px += path.size();
-  }
+  });
 }
 
 void findSaddles(const Ascent& ascent, Basins& result) {
   std::unordered_map<std::uint64_t, Saddle> saddles;
-  for (std::size_t i = 0; i < ascent.size(); ++i) {
+  ascent.forEachPixel([&](Pixel p, std::size_t i) {
     const std::uint32_t a = result.of_pixel[i];
-    if (a == Basins::kNone) continue;
-    ascent.forEachNeighbour(i, [&](std::uint8_t, std::size_t j) {
+    ascent.forEachNeighbour(p, i, [&](std::uint8_t, std::size_t j) {
       const std::uint32_t b = result.of_pixel[j];
-      if (b == Basins::kNone || b <= a) return;
+      if (b <= a || b == Basins::kNone) return;
       const std::size_t lowest = ascent.height(i) <= ascent.height(j) ? i : j;
       Saddle& saddle = saddles[std::uint64_t{a} << 32U | b];
       if (ascent.height(lowest) > saddle.height) saddle = {ascent.height(lowest), a, b, lowest};
     });
-  }
+  });
   result.saddles.reserve(saddles.size());
   for (const auto& entry : saddles) result.saddles.push_back(entry.second);
   std::sort(result.saddles.begin(), result.saddles.end(), [](const Saddle& p, const Saddle& q) {

@@ -32,9 +32,11 @@ std::vector<std::uint32_t> mergeByPersistence(const Basins& basins, double resol
   mergeWhere([&](float saddle, std::uint32_t, std::uint32_t low) {
     return saddle >= params.merge_ratio * height(low) || height(low) - saddle < min_prominence_px;
   });
+  const double min_clearance_px = params.min_area_clearance / resolution;
   const double min_size_px = params.min_area_size / (resolution * resolution);
   mergeWhere([&](float, std::uint32_t high, std::uint32_t low) {
-    return static_cast<double>(std::min(size_px[high], size_px[low])) < min_size_px;
+    return static_cast<double>(std::min(size_px[high], size_px[low])) < min_size_px ||
+           height(low) < min_clearance_px;
   });
 
   std::vector<std::uint32_t> area_of(count);

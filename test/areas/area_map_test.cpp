@@ -194,6 +194,7 @@ TEST_P(Offices, SeedingWithTheProposalsGivesThePersistenceWatershed) {
   for (std::size_t i = 0; i < areas.pixel_labels.size(); ++i) {
     if (areas.pixel_labels[i] == 0) continue;
     const std::uint32_t area = area_of[basins.of_pixel[i]];
+    EXPECT_GE(basins.basins[area].height * 0.05, AreaParams().min_area_clearance);
     EXPECT_EQ(label_of.emplace(area, areas.pixel_labels[i]).first->second, areas.pixel_labels[i]);
     labels.insert(areas.pixel_labels[i]);
   }
@@ -311,6 +312,18 @@ TEST(AreaMap, OfSmallIslandsOnlyIsEmptyAndSaysWhy) {
   EXPECT_TRUE(areas.areas.empty());
   ASSERT_EQ(areas.warnings.size(), 1U);
   EXPECT_NE(areas.warnings[0].find("min_island_size"), std::string::npos);
+}
+
+TEST(AreaMap, LeavesOutRaysThatNothingCanEnter) {
+  std::vector<std::string> rows(40, std::string(90, '?'));
+  for (std::size_t y = 5; y < 35; ++y) rows[y].replace(5, 30, std::string(30, '.'));
+  rows[10].replace(36, 50, std::string(50, '.'));  // 2.5 m long, beside the room
+  rows[11] = rows[12] = rows[10];
+  const OccupancyMap map = test::asciiMap(rows, 0.05);
+  EXPECT_EQ(segment(map).areas.size(), 1U);
+  AreaParams params;
+  params.min_area_clearance = 0;
+  EXPECT_EQ(segment(map, {}, params).areas.size(), 2U);
 }
 
 TEST(AreaMap, OfFreeSpaceOnlyIsOneArea) {

@@ -39,6 +39,9 @@ struct AreaParams {
   double min_prominence = 0.05;
   /// Smaller areas join the neighbour that they open to the widest [m^2].
   double min_area_size = 1.0;
+  /// Areas whose widest place is nearer to the walls join a neighbour too, and are left out if they
+  /// have none [m]: rays of the laser through windows and gaps.
+  double min_area_clearance = 0.15;
   /// Borders between areas up to this width are doors, wider ones passages [m]; of 632 borders
   /// between rooms drawn by people 95 % are below 1.97.
   double max_door_width = 2.6;
