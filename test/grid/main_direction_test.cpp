@@ -54,6 +54,35 @@ TEST(MainDirection, PointsWithoutStructureGiveExactlyZero) {
   EXPECT_EQ(mainDirection({{3, 4}, {3, 4}}), 0);
 }
 
+/// Points one unit apart on parallel lines of 300, ten apart, of this direction.
+void addLines(std::vector<Point2>& points, int count, double direction_deg) {
+  const Pose2 turn{Point2(500 * direction_deg, 0), direction_deg * kDegree};
+  for (int line = 0; line < count; ++line) {
+    for (int i = 0; i < 300; ++i) points.push_back(turn * Point2(i, 10 * line));
+  }
+}
+
+TEST(MainDirection, TwoWingsStayUprightUnlessTheTurnedOneIsTwiceAsClear) {
+  std::vector<Point2> points;
+  addLines(points, 10, 0);
+  addLines(points, 13, 30);
+  EXPECT_EQ(mainDirection(points), 0);
+  addLines(points, 20, 30);
+  EXPECT_NEAR(mainDirection(points) / kDegree, 30, 0.3);
+}
+
+TEST(MainDirection, IsBelievedByItsParameters) {
+  std::vector<Point2> points;
+  addLines(points, 10, 0.5);
+  DirectionParams params;
+  params.min_gain = 0;
+  EXPECT_EQ(mainDirection(points, params), 0) << "below snap_deg";
+  params.snap_deg = 0.2;
+  EXPECT_NEAR(mainDirection(points, params) / kDegree, 0.5, 0.1);
+  params.min_contrast = 1e9;
+  EXPECT_EQ(mainDirection(points, params), 0);
+}
+
 TEST(MainDirection, ADiagonalBuildingLiesAtPlus45Degrees) {
   EXPECT_NEAR(directionOfPlan(3, 45), 45, 0.3);
 }
