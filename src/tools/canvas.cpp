@@ -9,9 +9,11 @@
 namespace agrid::tools {
 namespace {
 
-constexpr int kLargestSide = 4000;  // [px] of a picture
-constexpr int kUsualSide = 1800;    // [px] that small maps are enlarged to, at most
-constexpr int kShift = 4;           // binary digits after the point in OpenCV's coordinates
+constexpr int kLargestSide = 4000;      // [px] of a picture
+constexpr int kUsualSide = 1800;        // [px] that small maps are enlarged to, at most
+constexpr double kWidestStroke = 0.12;  // [m]
+constexpr double kHighestText = 0.5;    // [m]
+constexpr int kShift = 4;               // binary digits after the point in OpenCV's coordinates
 
 double scaleFor(int width, int height) {
   const int side = std::max(width, height);
@@ -58,9 +60,12 @@ Canvas::Canvas(const OccupancyMap& map, const MapColors& colors, double emphasis
       geometry_(map.geometry()),
       scale_(scaleFor(geometry_.width, geometry_.height)),
       image_(drawMap(map, colors)) {
+  // By the picture's size, but on large buildings no more than fits between walls.
   const int side = std::max(image_.cols, image_.rows);
-  stroke_ = std::max(1, static_cast<int>(std::lround(emphasis * side / 700)));
-  text_height_ = emphasis * std::clamp(side / 95.0, 10.0, 30.0);
+  const double widest = std::min(side / 700.0, kWidestStroke * pixelsPerMetre());
+  stroke_ = std::max(1, static_cast<int>(std::lround(emphasis * widest)));
+  const double highest = std::min(side / 95.0, kHighestText * pixelsPerMetre());
+  text_height_ = emphasis * std::clamp(highest, 9.0, 30.0);
 }
 
 cv::Point Canvas::fixedPoint(const Point2& point_map) const {

@@ -56,6 +56,8 @@ void drawNames(Canvas& canvas, const AreaMap& areas, double down_px) {
     const double width = Canvas::textWidth(area.name, canvas.textHeight());
     const double shrink = std::clamp(room / std::max(width, 1.0), 0.6, 1.0);
     const double height = std::max(7.0, canvas.textHeight() * shrink);
+    // Where even small names are far wider than their areas, they would only cover each other.
+    if (Canvas::textWidth(area.name, height) > 4 * room) continue;
     canvas.text(area.anchor_map, down_px + (down_px > 0 ? height / 2 : 0), area.name, height);
   }
 }

@@ -45,7 +45,7 @@ TEST(Commands, HelpListsTheCommands) {
 }
 
 TEST(Commands, EveryCommandHasHelp) {
-  for (const char* command : {"convert", "generate"}) {
+  for (const char* command : {"convert", "generate", "plan"}) {
     const Outcome help = runTool({command, "--help"});
     EXPECT_EQ(help.code, kDone);
     EXPECT_EQ(help.out.find(std::string("usage: agrid_map_tool ") + command), 0U);
