@@ -21,27 +21,21 @@ double scaleFor(int width, int height) {
   return std::clamp(kUsualSide / side, 1, 8);
 }
 
-cv::Vec3b vec(const cv::Scalar& color) {
-  return {static_cast<unsigned char>(color[0]), static_cast<unsigned char>(color[1]),
-          static_cast<unsigned char>(color[2])};
-}
-
-cv::Mat drawMap(const OccupancyMap& map, const MapColors& colors) {
+cv::Mat drawMap(const OccupancyMap& map, const MapGreys& greys) {
   const MapGeometry& geometry = map.geometry();
-  const cv::Vec3b free = vec(colors.free);
-  const cv::Vec3b occupied = vec(colors.occupied);
-  const cv::Vec3b unknown = vec(colors.unknown);
-  cv::Mat image(geometry.height, geometry.width, CV_8UC3);
+  cv::Mat image(geometry.height, geometry.width, CV_8UC1);
   for (int y = 0; y < image.rows; ++y) {
     const Occupancy* from = map.pixels().data() + geometry.index({0, image.rows - 1 - y});
-    auto* to = image.ptr<cv::Vec3b>(y);
+    auto* to = image.ptr<unsigned char>(y);
     for (int x = 0; x < image.cols; ++x) {
-      to[x] = from[x] == Occupancy::kFree       ? free
-              : from[x] == Occupancy::kOccupied ? occupied
-                                                : unknown;
+      to[x] = from[x] == Occupancy::kFree       ? greys.free
+              : from[x] == Occupancy::kOccupied ? greys.occupied
+                                                : greys.unknown;
     }
   }
-  return fitted(image);
+  cv::Mat picture;
+  cv::cvtColor(fitted(image), picture, cv::COLOR_GRAY2BGR);
+  return picture;
 }
 
 }  // namespace
@@ -55,11 +49,11 @@ cv::Mat fitted(const cv::Mat& image) {
   return result;
 }
 
-Canvas::Canvas(const OccupancyMap& map, const MapColors& colors, double emphasis)
+Canvas::Canvas(const OccupancyMap& map, const MapGreys& greys, double emphasis)
     : map_(map),
       geometry_(map.geometry()),
       scale_(scaleFor(geometry_.width, geometry_.height)),
-      image_(drawMap(map, colors)) {
+      image_(drawMap(map, greys)) {
   // By the picture's size, but on large buildings no more than fits between walls.
   const int side = std::max(image_.cols, image_.rows);
   const double widest = std::min(side / 700.0, kWidestStroke * pixelsPerMetre());

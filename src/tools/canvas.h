@@ -10,11 +10,11 @@
 
 namespace agrid::tools {
 
-/// Colours of a metric map.
-struct MapColors {
-  cv::Scalar free;
-  cv::Scalar occupied;
-  cv::Scalar unknown;
+/// Greys of a metric map; 255 is white.
+struct MapGreys {
+  unsigned char free = 255;
+  unsigned char occupied = 0;
+  unsigned char unknown = 205;
 };
 
 /// A picture of a metric map to draw on: small maps are enlarged, large ones reduced. Points are
@@ -22,7 +22,7 @@ struct MapColors {
 class Canvas {
  public:
   /// @param emphasis  enlarges lines and text, for a picture that will be shown small
-  Canvas(const OccupancyMap& map, const MapColors& colors, double emphasis = 1);
+  Canvas(const OccupancyMap& map, const MapGreys& greys, double emphasis = 1);
 
   const cv::Mat& image() const { return image_; }
   /// Pixels of the picture for a metre.

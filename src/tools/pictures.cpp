@@ -11,8 +11,8 @@
 namespace agrid::tools {
 namespace {
 
-const MapColors kPlain{cv::Scalar::all(255), cv::Scalar::all(60), cv::Scalar::all(214)};
-const MapColors kFaint{cv::Scalar::all(255), cv::Scalar::all(140), cv::Scalar::all(235)};
+const MapGreys kPlain{255, 60, 214};
+const MapGreys kFaint{255, 140, 235};
 const cv::Scalar kDoorBlue(215, 95, 20);
 const cv::Scalar kLineBlue(190, 120, 60);
 const cv::Scalar kLineRed(70, 70, 215);
