@@ -35,6 +35,7 @@ void addAreas(Table& table, agrid::AreaParams& p) {
   table.push_back({"merge_ratio", NumberField{&p.merge_ratio, 1e-3, 1}});
   table.push_back({"min_prominence", NumberField{&p.min_prominence, 0, 100}});
   table.push_back({"min_area_size", NumberField{&p.min_area_size, 0, 1e6}});
+  table.push_back({"min_area_clearance", NumberField{&p.min_area_clearance, 0, 100}});
   table.push_back({"max_door_width", NumberField{&p.max_door_width, 0, 1e3}});
   table.push_back({"min_border_length", NumberField{&p.min_border_length, 0, 1e3}});
 }

@@ -35,6 +35,7 @@ std::map<std::string, Field> fields(ConversionParams& params) {
       {"merge_ratio", &areas.merge_ratio},
       {"min_prominence", &areas.min_prominence},
       {"min_area_size", &areas.min_area_size},
+      {"min_area_clearance", &areas.min_area_clearance},
       {"max_door_width", &areas.max_door_width},
       {"min_border_length", &areas.min_border_length},
       {"passage_min_width", &passages.min_width},
