@@ -1,9 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/agrid_map_nodelet.h"
 
+#include <string>
+
 #include <pluginlib/class_list_macros.hpp>
 
+#include "ros/text.h"
+
 namespace agrid_map_ros {
+namespace {
+
+std::string summary(const Snapshot& snapshot) {
+  const agrid::SemanticMap& map = *snapshot.map;
+  return "map " + map.map().digest() + " in '" + snapshot.frame() +
+         "': " + std::to_string(map.grid().cellCount()) + " cells, " +
+         std::to_string(map.area_map.areas.size()) + " areas, " +
+         std::to_string(map.area_map.doors.size()) + " doors, built in " +
+         formatNumber(snapshot.build_seconds) + " s";
+}
+
+}  // namespace
 
 AGridNodelet::~AGridNodelet() { cancelled_ = true; }
 
@@ -15,7 +31,10 @@ void AGridNodelet::onInit() {
   listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, nh);
   outputs_ = std::make_unique<Outputs>(private_nh);
   builder_ = std::make_unique<MapBuilder>(
-      MapBuilder::Listeners{[this](const SnapshotPtr& snapshot) { outputs_->publish(*snapshot); },
+      MapBuilder::Listeners{[this](const SnapshotPtr& snapshot) {
+                              outputs_->publish(*snapshot);
+                              NODELET_INFO_STREAM(summary(*snapshot));
+                            },
                             [this](const std::string& warning) { log_.warn("map", warning); },
                             [this](const std::string& failure) { log_.error("map", failure); }});
   if (error.empty()) builder_->setParameters(settings_->parameters());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/map_intake.h"
 
+#include <boost/make_shared.hpp>
 #include <nav_msgs/GetMap.h>
 
 namespace agrid_map_ros {

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The wiring of the nodelet: topics, services, maps that come and go. What is answered is tested
+// without a master.
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
+#include <thread>
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <map_msgs/OccupancyGridUpdate.h>
+#include <nav_msgs/GetMap.h>
+#include <nav_msgs/GetPlan.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <agrid_map/GetAGrid.h>
+#include <agrid_map/GetGraph.h>
+#include <agrid_map/LabelAt.h>
+#include <agrid_map/PlanAreas.h>
+#include <agrid_map/PlanPath.h>
+#include <agrid_map/WhereIs.h>
+
+#include "agrid/evaluation/office_generator.h"
+#include "agrid_map_ros/conversions.h"
+#include "drawn_maps.h"
+
+namespace agrid_map_ros {
+namespace {
+
+using agrid_map::Status;
+
+/// Whether it becomes true within a time that is generous on any machine.
+bool eventually(const std::function<bool()>& condition) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return true;
+}
+
+class Nodelet : public testing::Test {
+ protected:
+  Nodelet() {
+    map_publisher_ = nh_.advertise<nav_msgs::OccupancyGrid>("map", 1, true);
+    update_publisher_ = nh_.advertise<map_msgs::OccupancyGridUpdate>("map_updates", 10);
+  }
+
+  template <typename Service>
+  typename Service::Response ask(const std::string& name, typename Service::Request request = {}) {
+    EXPECT_TRUE(ros::service::waitForService(name, ros::Duration(60))) << name;
+    typename Service::Response response;
+    EXPECT_TRUE(ros::service::call(name, request, response)) << name;
+    return response;
+  }
+
+  agrid_map::TopologicalGraph graph() { return ask<agrid_map::GetGraph>("agrid/get_graph").graph; }
+
+  static std::string digestOf(const nav_msgs::OccupancyGrid& map) {
+    return agrid::OccupancyMap(fromMsg(map).grid).digest();
+  }
+
+  /// Publishes a map and waits until it is the one in use.
+  void use(const nav_msgs::OccupancyGrid& map) {
+    map_publisher_.publish(map);
+    const std::string digest = digestOf(map);
+    ASSERT_TRUE(eventually([&] {
+      const auto now = graph();
+      return now.map_id == digest && now.header.frame_id == map.header.frame_id;
+    }));
+  }
+  void useTwoRooms() { use(test::drawn(test::twoRoomsAndACloset())); }
+
+  static geometry_msgs::PoseStamped at(double x, double y, const std::string& frame = "") {
+    geometry_msgs::PoseStamped pose;
+    pose.header.frame_id = frame;
+    pose.pose.position.x = x;
+    pose.pose.position.y = y;
+    return pose;
+  }
+
+  agrid_map::PlanPath::Request pathRequest(double x = 9.5, double y = 3.5) {
+    agrid_map::PlanPath::Request request;
+    request.start = at(2.5, 3.5);
+    request.goal = at(x, y);
+    return request;
+  }
+  int pathStatus(const agrid_map::PlanPath::Request& request) {
+    return ask<agrid_map::PlanPath>("agrid/plan_path", request).status.code;
+  }
+  std::uint32_t areaAt(double x, double y) {
+    agrid_map::LabelAt::Request request;
+    request.point.point.x = x;
+    request.point.point.y = y;
+    return ask<agrid_map::LabelAt>("agrid/label_at", request).area;
+  }
+
+  void placeRobot(double x, double y) {
+    geometry_msgs::TransformStamped transform;
+    transform.header.stamp = ros::Time::now();
+    transform.header.frame_id = "map";
+    transform.child_frame_id = "base_link";
+    transform.transform.translation.x = x;
+    transform.transform.translation.y = y;
+    transform.transform.rotation.w = 1;
+    broadcaster_.sendTransform(transform);
+  }
+
+  /// A latched message of a topic.
+  template <typename Message>
+  typename Message::ConstPtr latched(const std::string& topic) {
+    return ros::topic::waitForMessage<Message>(topic, nh_, ros::Duration(60));
+  }
+
+  ros::NodeHandle nh_;
+  ros::Publisher map_publisher_;
+  ros::Publisher update_publisher_;
+  tf2_ros::StaticTransformBroadcaster broadcaster_;
+};
+
+TEST_F(Nodelet, M3_P12_WithoutAMapEveryServiceSaysSo) {
+  EXPECT_EQ(ask<agrid_map::GetGraph>("empty/get_graph").status.code, int{Status::NO_MAP});
+  EXPECT_EQ(ask<agrid_map::GetAGrid>("empty/get_agrid").status.code, int{Status::NO_MAP});
+  EXPECT_EQ(ask<agrid_map::LabelAt>("empty/label_at").status.code, int{Status::NO_MAP});
+  EXPECT_EQ(ask<agrid_map::WhereIs>("empty/where_is").status.code, int{Status::NO_MAP});
+  EXPECT_EQ(ask<agrid_map::PlanAreas>("empty/plan_areas").status.code, int{Status::NO_MAP});
+  EXPECT_EQ(ask<agrid_map::PlanPath>("empty/plan_path").status.code, int{Status::NO_MAP});
+  EXPECT_TRUE(ask<nav_msgs::GetPlan>("empty/make_plan").plan.poses.empty());
+  EXPECT_FALSE(ask<std_srvs::Trigger>("empty/rebuild").success);
+}
+
+TEST_F(Nodelet, L3_R1_BadParametersAreToldUntilTheyAreMended) {
+  useTwoRooms();
+  const Status status = ask<agrid_map::GetGraph>("wrong/get_graph").status;
+  EXPECT_EQ(status.code, int{Status::INVALID_REQUEST});
+  EXPECT_NE(status.message.find("robot_radius"), std::string::npos) << status.message;
+  EXPECT_FALSE(ask<std_srvs::Trigger>("wrong/rebuild").success);
+  ros::param::set("wrong/robot_radius", 0.3);
+  EXPECT_TRUE(eventually([this] { return ask<std_srvs::Trigger>("wrong/rebuild").success; }));
+  EXPECT_TRUE(eventually([this] {
+    return ask<agrid_map::GetGraph>("wrong/get_graph").status.code == int{Status::SUCCESS};
+  }));
+}
+
+TEST_F(Nodelet, TopicsAreLatchedAndBelongTogether) {
+  useTwoRooms();
+  const auto now = graph();
+  const auto grid = latched<agrid_map::AGrid>("agrid/agrid");
+  const auto graph_message = latched<agrid_map::TopologicalGraph>("agrid/graph");
+  const auto markers = latched<visualization_msgs::MarkerArray>("agrid/markers");
+  const auto areas = latched<nav_msgs::OccupancyGrid>("agrid/areas");
+  ASSERT_TRUE(grid && graph_message && markers && areas);
+  EXPECT_EQ(grid->version, now.version);
+  EXPECT_EQ(graph_message->version, now.version);
+  EXPECT_EQ(graph_message->areas.size(), 3U);
+  EXPECT_EQ(graph_message->doors.size(), 1U);
+  EXPECT_EQ(areas->info.width, 170U);
+  EXPECT_EQ(markers->markers.front().action, int{visualization_msgs::Marker::DELETEALL});
+}
+
+TEST_F(Nodelet, EveryServiceAnswers) {
+  useTwoRooms();
+  const auto grid = ask<agrid_map::GetAGrid>("agrid/get_agrid").agrid;
+  EXPECT_EQ(grid.labels.size(), (grid.x.size() - 1) * (grid.y.size() - 1));
+  EXPECT_NE(areaAt(2.5, 3.5), areaAt(9.5, 3.5));
+  const auto path = ask<agrid_map::PlanPath>("agrid/plan_path", pathRequest());
+  EXPECT_EQ(path.status.code, int{Status::SUCCESS}) << path.status.message;
+  const auto plan = latched<nav_msgs::Path>("agrid/plan");
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->poses.size(), path.path.poses.size());
+  agrid_map::PlanAreas::Request areas;
+  areas.start = path.route.names.front();
+  areas.goal = path.route.names.back();
+  EXPECT_EQ(ask<agrid_map::PlanAreas>("agrid/plan_areas", areas).routes.at(0).doors,
+            path.route.doors);
+  nav_msgs::GetPlan::Request make;
+  make.start = at(2.5, 3.5);
+  make.goal = at(9.5, 3.5);
+  EXPECT_FALSE(ask<nav_msgs::GetPlan>("agrid/make_plan", make).plan.poses.empty());
+  agrid_map::WhereIs::Request where;
+  where.name = areas.goal;
+  where.start = at(2.5, 3.5);
+  EXPECT_EQ(ask<agrid_map::WhereIs>("agrid/where_is", where).matches.size(), 1U);
+}
+
+TEST_F(Nodelet, BadRequestsSayWhatIsWrong) {
+  useTwoRooms();
+  EXPECT_EQ(pathStatus(pathRequest(14.5, 3.5)), int{Status::NO_ROUTE});
+  EXPECT_EQ(pathStatus(pathRequest(6.5, 1.5)), int{Status::GOAL_INVALID});
+  auto request = pathRequest();
+  request.start = at(-5, 0);
+  EXPECT_EQ(pathStatus(request), int{Status::START_INVALID});
+  request = pathRequest();
+  request.planner = "no such planner";
+  EXPECT_EQ(pathStatus(request), int{Status::INVALID_REQUEST});
+  request = pathRequest();
+  request.goal_name = "no such area";
+  EXPECT_EQ(pathStatus(request), int{Status::UNKNOWN_NAME});
+  request = pathRequest();
+  request.goal.header.frame_id = "nowhere";
+  EXPECT_EQ(pathStatus(request), int{Status::NO_TRANSFORM});
+  agrid_map::LabelAt::Request label;
+  label.point.point.x = -1;
+  EXPECT_EQ(ask<agrid_map::LabelAt>("agrid/label_at", label).status.code, int{Status::OUTSIDE});
+}
+
+TEST_F(Nodelet, P13_BusyWhileAsManyPlansRunAsMay) {
+  useTwoRooms();
+  auto slow = pathRequest();
+  slow.goal.header.frame_id = "nowhere";  // waits for the transform as long as it may
+  std::atomic<bool> enough{false};
+  auto running = std::async(std::launch::async, [&] {
+    while (!enough) pathStatus(slow);
+  });
+  EXPECT_TRUE(eventually([this] { return pathStatus(pathRequest()) == int{Status::BUSY}; }));
+  EXPECT_EQ(graph().areas.size(), 3U);  // questions are answered all the same
+  enough = true;
+  running.get();
+  EXPECT_EQ(pathStatus(pathRequest()), int{Status::SUCCESS});
+}
+
+TEST_F(Nodelet, ASecondMapReplacesTheFirst) {
+  useTwoRooms();
+  const std::uint32_t version = graph().version;
+  use(test::drawn(test::walledUp()));
+  EXPECT_GT(graph().version, version);
+  EXPECT_EQ(pathStatus(pathRequest()), int{Status::NO_ROUTE});
+}
+
+TEST_F(Nodelet, M18_AMapInAnotherFrame) {
+  use(test::drawn(test::twoRoomsAndACloset(), "world"));
+  EXPECT_EQ(latched<agrid_map::AGrid>("agrid/agrid")->header.frame_id, "world");
+  const auto path = ask<agrid_map::PlanPath>("agrid/plan_path", pathRequest());
+  EXPECT_EQ(path.path.header.frame_id, "world");
+}
+
+TEST_F(Nodelet, M19_TheSameMapAgainChangesNothing) {
+  useTwoRooms();
+  const std::uint32_t version = graph().version;
+  map_publisher_.publish(test::drawn(test::twoRoomsAndACloset()));
+  auto other = test::drawn(test::walledUp());
+  use(other);
+  EXPECT_EQ(graph().version, version + 1);
+}
+
+TEST_F(Nodelet, M22_M23_PatchesChangeTheMapIfTheyFit) {
+  useTwoRooms();
+  ASSERT_TRUE(eventually([this] { return update_publisher_.getNumSubscribers() >= 2; }));
+  map_msgs::OccupancyGridUpdate patch;
+  patch.header.frame_id = "map";
+  patch.x = 60;
+  patch.y = 30;
+  patch.width = patch.height = 10;
+  patch.data.assign(99, 100);
+  update_publisher_.publish(patch);  // a value too few
+  patch.data.push_back(100);
+  patch.header.frame_id = "odom";
+  update_publisher_.publish(patch);
+  patch.header.frame_id = "map";
+  patch.x = 165;
+  update_publisher_.publish(patch);
+  patch.x = 60;
+  update_publisher_.publish(patch);  // walls up the door
+  const std::string digest = digestOf(test::drawn(test::walledUp()));
+  EXPECT_TRUE(eventually([&] { return graph().map_id == digest; }));
+}
+
+TEST_F(Nodelet, M1_ABadMapLeavesTheFormerOneInUse) {
+  useTwoRooms();
+  const auto before = graph();
+  std::string last_error;  // as /diagnostics tells it
+  ros::CallbackQueue queue;
+  ros::NodeHandle nh;
+  nh.setCallbackQueue(&queue);
+  const boost::function<void(const diagnostic_msgs::DiagnosticArray&)> listen =
+      [&last_error](const diagnostic_msgs::DiagnosticArray& array) {
+        const auto& status = array.status.at(0);
+        if (status.name == "agrid: map") last_error = status.values.back().value;
+      };
+  const ros::Subscriber subscriber = nh.subscribe("/diagnostics", 100, listen);
+  auto bad = test::drawn(test::walledUp());
+  bad.data.pop_back();
+  map_publisher_.publish(bad);
+  EXPECT_TRUE(eventually([&] {
+    queue.callAvailable();
+    return last_error.find("values") != std::string::npos;
+  }));
+  EXPECT_EQ(graph().version, before.version);
+  EXPECT_EQ(pathStatus(pathRequest()), int{Status::SUCCESS});
+}
+
+TEST_F(Nodelet, TheRobotsPoseByTf) {
+  useTwoRooms();
+  auto request = pathRequest();
+  request.start_from_robot = true;
+  placeRobot(2.5, 3.5);
+  EXPECT_TRUE(eventually([&] { return pathStatus(request) == int{Status::SUCCESS}; }));
+  const auto current = [this] { return latched<agrid_map::Area>("agrid/current_area")->id; };
+  const std::uint32_t left = areaAt(2.5, 3.5);
+  EXPECT_TRUE(eventually([&] { return current() == left; }));
+  placeRobot(9.5, 3.5);
+  const std::uint32_t right = areaAt(9.5, 3.5);
+  EXPECT_TRUE(eventually([&] { return current() == right; }));
+  request = pathRequest();
+  request.goal = at(0, 1, "base_link");
+  const auto path = ask<agrid_map::PlanPath>("agrid/plan_path", request);
+  ASSERT_EQ(path.status.code, int{Status::SUCCESS}) << path.status.message;
+  EXPECT_NEAR(path.path.poses.back().pose.position.y, 4.5, 1e-3);
+}
+
+TEST_F(Nodelet, AnswersWhileANewMapIsBuilt) {
+  useTwoRooms();
+  agrid::OfficeParams office;
+  office.size = 2000;
+  std_msgs::Header header;
+  header.frame_id = "map";
+  const auto map = toMsg(agrid::OccupancyMap(agrid::generateOffice(office).grid), header);
+  const std::string digest = digestOf(map);
+  map_publisher_.publish(map);
+  int answered_before = 0;
+  EXPECT_TRUE(eventually([&] {
+    const auto now = graph();
+    answered_before += now.map_id != digest;
+    return now.map_id == digest;
+  }));
+  EXPECT_GT(answered_before, 0);
+  EXPECT_GT(graph().areas.size(), 20U);
+}
+
+TEST_F(Nodelet, AsksForItsMapWhereNoneIsPublished) {
+  const boost::function<bool(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response&)> give =
+      [](nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {
+        response.map = test::drawn(test::twoRoomsAndACloset());
+        return true;
+      };
+  const ros::ServiceServer server = nh_.advertiseService("static_map", give);
+  EXPECT_TRUE(eventually([this] {
+    return ask<agrid_map::GetGraph>("asking/get_graph").status.code == int{Status::SUCCESS};
+  }));
+}
+
+}  // namespace
+}  // namespace agrid_map_ros
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "agrid_nodelet_test");
+  ros::AsyncSpinner spinner(2);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
