@@ -277,12 +277,13 @@ TEST_F(Nodelet, M1_ABadMapLeavesTheFormerOneInUse) {
   ros::CallbackQueue queue;
   ros::NodeHandle nh;
   nh.setCallbackQueue(&queue);
-  const boost::function<void(const diagnostic_msgs::DiagnosticArray&)> listen =
-      [&last_error](const diagnostic_msgs::DiagnosticArray& array) {
-        const auto& status = array.status.at(0);
+  const boost::function<void(const diagnostic_msgs::DiagnosticArrayConstPtr&)> listen =
+      [&last_error](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
+        const auto& status = array->status.at(0);
         if (status.name == "agrid: map") last_error = status.values.back().value;
       };
-  const ros::Subscriber subscriber = nh.subscribe("/diagnostics", 100, listen);
+  const ros::Subscriber subscriber =
+      nh.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, listen);
   auto bad = test::drawn(test::walledUp());
   bad.data.pop_back();
   map_publisher_.publish(bad);
