@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <filesystem>
+#include <stdexcept>
 
 #include "agrid/geometry/quaternion.h"
 #include "agrid/map/map_io.h"
@@ -29,6 +30,10 @@ std::string yamlText(const std::string& path, const std::string& map_dir) {
 }  // namespace
 
 LoadedMap loadMap(const std::string& yaml_path, const MapFileParams& params) {
+  if (!(params.max_pixels >= 1 && params.max_pixels <= 1e18)) {
+    throw std::invalid_argument("max_pixels is " + std::to_string(params.max_pixels) +
+                                ", must be in [1, 1e18]");
+  }
   const MapYaml yaml = parseMapYaml(yamlText(yaml_path, params.map_dir), printable(yaml_path));
   const auto folder = std::filesystem::path(yaml_path).parent_path();
   FileReader file((folder / yaml.image).string(), params.map_dir);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <csignal>
 #include <filesystem>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "agrid/map/map_io.h"
 #include "support/ascii_map.h"
@@ -79,6 +81,30 @@ TEST(SaveMap, AFolderInTheWayStaysAndNoTemporaryFileDoes) {
   std::filesystem::create_directory(folder.path("m.pgm"));
   EXPECT_EQ(codeOfSaving(folder.path("m.yaml")), FileErrorCode::kIo);
   EXPECT_EQ(filesIn(folder), 1u);
+}
+
+TEST(SaveMap, AWriteErrorLeavesTheOldMapAndNothingElse) {
+  const test::TemporaryFolder folder;
+  saveMap(asciiGrid({"#"}), folder.path("m.yaml"));
+  const std::string before = contentsOf(folder.path("m.pgm"));
+  rlimit limit{};
+  getrlimit(RLIMIT_FSIZE, &limit);
+  const rlim_t old_limit = limit.rlim_cur;
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);  // else the limit ends the process
+  limit.rlim_cur = 100;
+  setrlimit(RLIMIT_FSIZE, &limit);
+  FileErrorCode code = FileErrorCode::kPath;
+  try {
+    saveMap(asciiGrid({std::string(200, '.')}), folder.path("m.yaml"));
+  } catch (const FileError& error) {
+    code = error.code();
+  }
+  limit.rlim_cur = old_limit;
+  setrlimit(RLIMIT_FSIZE, &limit);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_EQ(code, FileErrorCode::kIo);
+  EXPECT_EQ(contentsOf(folder.path("m.pgm")), before);
+  EXPECT_EQ(filesIn(folder), 2u);
 }
 
 TEST(SaveMap, RefusesAGridOfTheWrongSize) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "support/map_files.h"
@@ -110,6 +112,10 @@ TEST(MapFile, F21_TheCapIsAParameter) {
   params.max_pixels = 2;
   test::expectFileError(FileErrorCode::kImage, "more than max_pixels = 2",
                         [&] { folder.load(params); });
+  for (const double wrong : {0.0, -1.0, 1e19, std::numeric_limits<double>::quiet_NaN()}) {
+    params.max_pixels = wrong;
+    EXPECT_THROW(folder.load(params), std::invalid_argument);
+  }
 }
 
 TEST(MapFile, F22_TruncatedPixelsAndTrailingBytes) {

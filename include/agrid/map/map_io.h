@@ -42,7 +42,7 @@ struct MapFileParams {
 /// Reads a map_server YAML file and its image, with the values that map_server publishes.
 /// The image may be PNG, PGM, PPM, PBM or BMP; its path is relative to the YAML's folder.
 /// Palette and 1-bit images are read by their colours, where map_server takes the indices.
-/// @throws FileError
+/// @throws FileError; std::invalid_argument if `params.max_pixels` is not in [1, 1e18]
 LoadedMap loadMap(const std::string& yaml_path, const MapFileParams& params = {});
 
 /// Writes a map as map_saver does: `yaml_path` and, beside it and named like it, a PGM with free
