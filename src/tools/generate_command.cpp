@@ -6,6 +6,7 @@
 #include "tools/commands.h"
 #include "tools/image_frame.h"
 #include "tools/output_directory.h"
+#include "tools/stage_meter.h"
 
 namespace agrid::tools {
 namespace {
@@ -20,12 +21,16 @@ int generate(const Arguments& arguments) {
   OutputDirectory output(arguments.value("output"),
                          {"office.pgm", "office.yaml", "rooms.png", "doors.csv"},
                          arguments.has("force"));
+  StageMeter meter("generate");
+  meter.begin("draw");
   const Office office = generateOffice(params);
+  meter.begin("write");
   const MapGeometry& geometry = office.grid.geometry;
   saveMap(office.grid, output.stagedPath("office.yaml"));
   writePng(output.stagedPath("rooms.png"), labelImage(office.rooms, geometry));
   writeText(output.stagedPath("doors.csv"), segmentsCsv(office.doors_map, geometry));
   output.publish();
+  meter.end();
   std::cout << arguments.value("output") << "/office.yaml: " << params.size << " x " << params.size
             << " pixels, " << office.doors_map.size() << " doors\n";
   return kDone;
