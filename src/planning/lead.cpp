@@ -13,8 +13,8 @@ namespace {
 
 /// Ways through the portals' middles that are so much longer than the shortest one are still led
 /// along: the middles misjudge a way by about the portals' widths.
-constexpr double kDetourFactor = 1.08;
-constexpr double kDetourPx = 24;
+constexpr double kDetourFactor = 1.002;
+constexpr double kDetourPx = 1;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

@@ -10,6 +10,10 @@ namespace {
 
 constexpr std::uint32_t kNoRecord = 0xffffffff;
 
+/// A longer straight piece gets a corner, which the tightening removes again: looking back along a
+/// wall costs a step for each pixel, for every pixel of the search.
+constexpr double kLongestSightPx = 96;
+
 /// What the search knows of a pixel.
 struct Record {
   double cost = std::numeric_limits<double>::infinity();
@@ -130,7 +134,9 @@ class LazyThetaStar {
   void chooseVisibleParent(std::uint32_t s, Pixel p) {
     Record& record = pixels_[s];
     const FinePoint here = place(s, p);
-    if (space_.free->canSee(place(record.parent), here)) return;
+    // From here backwards: what hides the parent is usually the corner just passed.
+    const FinePoint parent = place(record.parent);
+    if (distancePx(parent, here) < kLongestSightPx && space_.free->canSee(here, parent)) return;
     record.cost = std::numeric_limits<double>::infinity();
     forEachNeighbour(p, [&](std::uint32_t n, Pixel q) {
       if (!pixels_[n].closed) return;
