@@ -32,8 +32,10 @@ def ends(answer):
 
 
 def path(answer):
-    for key in ('status', 'route', 'length', 'length_bound', 'clearance', 'planning_time', 'map_id'):
+    for key in ('status', 'route'):
         print(yaml.safe_dump({key: answer[key]}, default_flow_style=None, sort_keys=False), end='')
+    for key in ('length', 'length_bound', 'clearance', 'planning_time', 'map_id'):
+        print('%s: %s' % (key, answer[key]))
     points = [pose['pose']['position'] for pose in answer['path']['poses']]
     print('cells: %d' % len(answer['cells']))
     print('path: %d poses, %s' % (len(points), ' '.join('(%.2f, %.2f)' % (p['x'], p['y']) for p in points)))

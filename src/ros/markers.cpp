@@ -17,6 +17,7 @@ constexpr double kCellHeight = 0.02;
 constexpr double kGraphHeight = 0.06;
 constexpr double kDoorHeight = 0.08;
 constexpr double kNameHeight = 0.5;
+constexpr double kNameOffset = 0.4;  // along y [m]
 
 std_msgs::ColorRGBA color(double r, double g, double b, double a) {
   std_msgs::ColorRGBA c;
@@ -164,7 +165,8 @@ void addNames(visualization_msgs::MarkerArray& array, const agrid::SemanticMap& 
     text.ns = "names";
     text.id = id++;
     text.type = Marker::TEXT_VIEW_FACING;
-    text.pose = toMsg(agrid::Pose2{area.anchor_map, 0});
+    // beside the node of the graph, which lies on the anchor
+    text.pose = toMsg(agrid::Pose2{area.anchor_map + agrid::Point2(0, kNameOffset), 0});
     text.pose.position.z = kNameHeight;
     text.scale.z = 0.4;
     text.color = color(0, 0, 0, 1);
