@@ -34,7 +34,7 @@ LoadedMap loadMap(const std::string& yaml_path, const MapFileParams& params) {
     throw std::invalid_argument("max_pixels is " + std::to_string(params.max_pixels) +
                                 ", must be in [1, 1e18]");
   }
-  const MapYaml yaml = parseMapYaml(yamlText(yaml_path, params.map_dir), printable(yaml_path));
+  MapYaml yaml = parseMapYaml(yamlText(yaml_path, params.map_dir), printable(yaml_path));
   const auto folder = std::filesystem::path(yaml_path).parent_path();
   FileReader file((folder / yaml.image).string(), params.map_dir);
   Image image = readImage(file, params.max_pixels);
@@ -49,6 +49,7 @@ LoadedMap loadMap(const std::string& yaml_path, const MapFileParams& params) {
                        static_cast<double>(static_cast<float>(yaml.resolution)),
                        {Point2(yaml.origin[0], yaml.origin[1]),
                         yawOfQuaternion(map.orientation_z, map.orientation_w)}};
+  yaml.rule.skip_opaque_alpha = params.skip_opaque_alpha;
   map.grid.values = pixelValues(image, yaml.rule);
   for (const std::string& warning : yaml.warnings) {
     map.warnings.push_back(printable(yaml_path) + ": " + warning);

@@ -12,9 +12,10 @@ enum class PixelMode { kTrinary, kScale, kRaw };
 
 struct PixelRule {
   PixelMode mode = PixelMode::kTrinary;
-  bool negate = false;            ///< black is free
-  double occupied_thresh = 0.65;  ///< darker is occupied, 0 white to 1 black
-  double free_thresh = 0.196;     ///< lighter is free
+  bool negate = false;             ///< black is free
+  double occupied_thresh = 0.65;   ///< darker is occupied, 0 white to 1 black
+  double free_thresh = 0.196;      ///< lighter is free
+  bool skip_opaque_alpha = false;  ///< see MapFileParams
 };
 
 /// The contents of a map_server YAML file.

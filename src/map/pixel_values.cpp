@@ -33,12 +33,27 @@ Table tableFor(int samples, const PixelRule& rule, bool transparent) {
   return table;
 }
 
+bool isOpaque(const Image& image) {
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (std::size_t alpha = channels - 1; alpha < image.rows.size(); alpha += channels) {
+    if (image.rows[alpha] != 255) return false;
+  }
+  return true;
+}
+
+/// How many of a pixel's samples make its value.
+int samplesThatCount(const Image& image, const PixelRule& rule) {
+  if (!image.alpha_mask) return image.channels;
+  // map_server averages the transparency with the colours in trinary mode.
+  const bool all_count =
+      rule.mode == PixelMode::kTrinary && !(rule.skip_opaque_alpha && isOpaque(image));
+  return all_count ? image.channels : image.channels - 1;
+}
+
 }  // namespace
 
 std::vector<std::int8_t> pixelValues(const Image& image, const PixelRule& rule) {
-  // map_server averages the transparency with the colours in trinary mode.
-  const bool all_count = rule.mode == PixelMode::kTrinary || !image.alpha_mask;
-  const int samples = all_count ? image.channels : image.channels - 1;
+  const int samples = samplesThatCount(image, rule);
   const Table opaque = tableFor(samples, rule, false);
   const Table transparent = tableFor(samples, rule, true);
   const std::size_t row_bytes = image.rowBytes();

@@ -106,7 +106,10 @@ int plan(const Arguments& arguments) {
   const PlannerParams params = plannerParams(arguments);
   const auto seed = static_cast<std::uint32_t>(arguments.integerOr("seed", 0, 0, 4294967295));
   const std::vector<Pair> pairs = readPairs(arguments.value("pairs"));
-  const LoadedMap loaded = loadMap(arguments.operand(0));
+  MapFileParams file_params;
+  // pairs and the lengths they are compared with go by the colours of the picture
+  file_params.skip_opaque_alpha = !arguments.has("count-alpha");
+  const LoadedMap loaded = loadMap(arguments.operand(0), file_params);
   for (const std::string& warning : loaded.warnings) std::cerr << "warning: " << warning << "\n";
   FileWriter output(arguments.value("output"));
 
@@ -146,6 +149,7 @@ Command planCommand() {
       {"robot-radius", 0, "M", "metres (0.2)"},
       {"strict", 0, "", "keep every point of the path so far from every obstacle"},
       {"allow-unknown", 0, "", "unknown space is no obstacle"},
+      {"count-alpha", 0, "", "count an opaque transparency as a colour, as map_server does"},
       {"planner", 0, "NAME", "AGrid, or a geometric planner of OMPL (AGrid)"},
       {"timeout", 0, "S", "seconds for one pair (5)"},
       {"seed", 0, "N", "same seed, same paths (0)"},

@@ -48,6 +48,20 @@ TEST(MapFile, F25_GreyOfAnyDepth) {
   EXPECT_EQ(rawValues(oneRow(PngColour::kGrey, 4, 3, "\x0F\x30").bytes()), (Bytes{0, 255, 51}));
 }
 
+TEST(MapFile, AnOpaqueTransparencyCountsAsAColourUnlessSkipped) {
+  MapFileParams by_colours;
+  by_colours.skip_opaque_alpha = true;
+  const auto values = [](const std::string& rgba, const MapFileParams& params) {
+    const MapFolder folder(oneRow(PngColour::kRgba, 8, 2, rgba).bytes());
+    return loadMap(folder.path("map.yaml"), params).grid.values;
+  };
+  const std::string opaque = "\xCD\xCD\xCD\xFF\x50\x50\x50\xFF";
+  EXPECT_EQ(values(opaque, {}), (std::vector<std::int8_t>{0, -1}));
+  EXPECT_EQ(values(opaque, by_colours), (std::vector<std::int8_t>{-1, 100}));
+  const std::string translucent = "\xCD\xCD\xCD\xFE\x50\x50\x50\xFF";
+  EXPECT_EQ(values(translucent, by_colours), values(translucent, {}));
+}
+
 TEST(MapFile, F19_SixteenBitPngKeepsItsHighBytes) {
   const std::string png = oneRow(PngColour::kGrey, 16, 2, "\x12\xFF\xCD\x80").bytes();
   EXPECT_EQ(rawValues(png), (Bytes{0x12, 0xCD}));

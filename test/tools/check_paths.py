@@ -5,9 +5,8 @@
 usage: check_paths.py MAP.png PAIRS.csv OUT.csv PATHS_DIR [RADIUS_PX] [FREE_GREY]
 
 A pixel may be crossed if its centre is more than RADIUS_PX (4) from the centre of the nearest pixel
-darker than FREE_GREY (250) and it does not lie on the outermost ring; in an image with an alpha
-channel, that channel counts as a colour, as map_server does it. Every segment is checked against
-every pixel whose closed square it touches. Prints the figures; exit code 1 if an answer is false.
+darker than FREE_GREY (250) and it does not lie on the outermost ring. Every segment is checked
+against every pixel whose closed square it touches. Prints the figures; exit code 1 if an answer is false.
 """
 import csv
 import os
@@ -21,9 +20,7 @@ HAIR = 1e-7  # px; coordinates come as text with nine decimals
 
 
 def crossable_pixels(path, radius_px, free_grey):
-    image = cv2.imread(path, cv2.IMREAD_UNCHANGED)
-    if image.ndim == 3:
-        image = image.mean(axis=2)
+    image = cv2.imread(path, cv2.IMREAD_GRAYSCALE)
     blocked = image < free_grey
     nearest = ndimage.distance_transform_edt(~blocked, return_distances=False, return_indices=True)
     rows, columns = numpy.indices(blocked.shape)

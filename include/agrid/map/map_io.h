@@ -37,6 +37,9 @@ struct LoadedMap {
 struct MapFileParams {
   std::string map_dir;  ///< if not empty, YAML and image must lie under it after resolving links
   double max_pixels = 1e9;  ///< larger images are refused before they are decoded
+  /// Take an image by its colours alone where it is opaque everywhere; map_server averages the
+  /// transparency with the colours (trinary mode), which moves the thresholds.
+  bool skip_opaque_alpha = false;
 };
 
 /// Reads a map_server YAML file and its image, with the values that map_server publishes.
