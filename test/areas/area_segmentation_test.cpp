@@ -279,25 +279,5 @@ TEST(AreaSegmentation, RefusesTwoTagsWithOneId) {
                std::invalid_argument);
 }
 
-TEST(AreaSegmentation, ChairLegsDoNotPartARoomAndAnchorsKeepClearOfThem) {
-  std::vector<std::string> rows(60, "#" + std::string(80, '.') + "#");
-  rows.front() = rows.back() = std::string(82, '#');
-  for (const std::size_t y : {14U, 22U, 30U, 38U, 46U}) {
-    for (std::size_t x = 8; x < 76; x += 8) rows[y][x] = '#';
-  }
-  const OccupancyMap map = asciiMap(rows, 0.05);
-  const AreaMap areas = segment(map);
-  ASSERT_EQ(areas.areas.size(), 1U);
-  const Point2 anchor = areas.areas[0].anchor_map;
-  double nearest = 1e9;
-  for (std::size_t i = 0; i < map.pixels().size(); ++i) {
-    if (map.pixels()[i] == Occupancy::kFree) continue;
-    const Point2 to_leg = (map.geometry().center(map.geometry().pixel(i)) - anchor).cwiseAbs();
-    nearest = std::min(nearest, to_leg.norm());
-  }
-  EXPECT_GT(nearest, 0.25);
-  EXPECT_NEAR(areas.areas[0].anchor_clearance, nearest - 0.025, 1e-6);
-}
-
 }  // namespace
 }  // namespace agrid

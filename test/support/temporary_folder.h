@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -29,6 +30,8 @@ class TemporaryFolder {
   const std::string& path() const { return path_; }
   std::string path(const std::string& name) const { return path_ + "/" + name; }
 
+  std::string operator/(const std::string& name) const { return path(name); }
+
   /// Writes a file and returns its path.
   std::string write(const std::string& name, const std::string& bytes) const {
     std::ofstream(path(name), std::ios::binary) << bytes;
@@ -42,6 +45,16 @@ class TemporaryFolder {
 inline std::string contentsOf(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The content of every file and the names of directories ("") in a directory, hidden ones too.
+inline std::map<std::string, std::string> contentsOfFolder(const std::string& path) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(path)) {
+    files[entry.path().filename().string()] =
+        entry.is_regular_file() ? contentsOf(entry.path().string()) : "";
+  }
+  return files;
 }
 
 }  // namespace agrid::test

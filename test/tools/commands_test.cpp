@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include "support/temp_directory.h"
+#include "support/temporary_folder.h"
 
 namespace agrid::tools {
 namespace {
 
-using test::TempDirectory;
+using test::TemporaryFolder;
 
 /// What a run of the tool gave back.
 struct Outcome {
@@ -91,7 +91,7 @@ TEST(Commands, F28_WrongUsageGoesToStandardErrorWith64) {
 }
 
 TEST(Commands, FilesThatCannotBeReadOrWrittenGive2) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   EXPECT_EQ(runTool({"convert", temp / "none.yaml", "-o", temp / "out"}).code, kFileFailed);
   EXPECT_FALSE(std::filesystem::exists(temp / "out"));
   const Outcome outcome = runTool({"generate", "-o", temp / "none/out"});

@@ -8,16 +8,16 @@
 
 #include "agrid/map/map_io.h"
 #include "support/ascii_map.h"
-#include "support/temp_directory.h"
+#include "support/temporary_folder.h"
 #include "tools/commands.h"
 
 namespace agrid::tools {
 namespace {
 
 using nlohmann::json;
-using test::readDirectory;
-using test::readFile;
-using test::TempDirectory;
+using test::contentsOf;
+using test::contentsOfFolder;
+using test::TemporaryFolder;
 
 /// Two rooms, left and right of a wall in columns 29 and 30, with a door in image rows 10 to 17.
 OccupancyGrid twoRooms(const Pose2& map_from_image = {}) {
@@ -29,7 +29,7 @@ OccupancyGrid twoRooms(const Pose2& map_from_image = {}) {
   return test::asciiGrid(rows, 0.1, map_from_image);
 }
 
-int convert(const TempDirectory& temp, const std::string& output,
+int convert(const TemporaryFolder& temp, const std::string& output,
             const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments{"agrid_map_tool", "convert", temp / "map.yaml", "-o",
                                      temp / output};
@@ -58,15 +58,15 @@ std::vector<std::vector<double>> readCsv(const std::string& text) {
 }
 
 TEST(ConvertCommand, WritesEveryFileAndNoOther) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   saveMap(twoRooms(), temp / "map.yaml");
   ASSERT_EQ(convert(temp, "out"), kDone);
   std::vector<std::string> names;
-  for (const auto& [name, content] : readDirectory(temp / "out")) names.push_back(name);
+  for (const auto& [name, content] : contentsOfFolder(temp / "out")) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{"areas.png", "doors.csv", "edges.png", "graph.json",
                                              "graph.png", "grid.png", "labels.png", "overview.png",
                                              "summary.json", "walls.png"}));
-  EXPECT_EQ(readDirectory(temp / "").size(), 3U) << "map.yaml, map.pgm and the output only";
+  EXPECT_EQ(contentsOfFolder(temp / "").size(), 3U) << "map.yaml, map.pgm and the output only";
   for (const std::string& name : names) {
     if (name.find(".png") == std::string::npos) continue;
     EXPECT_FALSE(cv::imread(temp / ("out/" + name), cv::IMREAD_UNCHANGED).empty()) << name;
@@ -76,10 +76,10 @@ TEST(ConvertCommand, WritesEveryFileAndNoOther) {
 TEST(ConvertCommand, DoorsLieWhereTheImageHasThem) {
   // The same file content whatever the origin, turned ones included.
   for (const Pose2& origin : {Pose2{}, Pose2{{-3, 20}, 0}, Pose2{{4, 1}, 0.5}}) {
-    const TempDirectory temp;
+    const TemporaryFolder temp;
     saveMap(twoRooms(origin), temp / "map.yaml");
     ASSERT_EQ(convert(temp, "out"), kDone);
-    const auto doors = readCsv(readFile(temp / "out/doors.csv"));
+    const auto doors = readCsv(contentsOf(temp / "out/doors.csv"));
     ASSERT_EQ(doors.size(), 1U);
     ASSERT_EQ(doors[0].size(), 4U);
     EXPECT_NEAR((doors[0][0] + doors[0][2]) / 2, 29.5, 2);
@@ -89,7 +89,7 @@ TEST(ConvertCommand, DoorsLieWhereTheImageHasThem) {
 }
 
 TEST(ConvertCommand, LabelsAreTheImagesAndOnlyOnFreePixels) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   saveMap(twoRooms(), temp / "map.yaml");
   ASSERT_EQ(convert(temp, "out"), kDone);
   const cv::Mat labels = cv::imread(temp / "out/labels.png", cv::IMREAD_UNCHANGED);
@@ -111,10 +111,10 @@ TEST(ConvertCommand, LabelsAreTheImagesAndOnlyOnFreePixels) {
 }
 
 TEST(ConvertCommand, GraphTellsAreasAndDoors) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   saveMap(twoRooms(), temp / "map.yaml");
   ASSERT_EQ(convert(temp, "out"), kDone);
-  const json graph = json::parse(readFile(temp / "out/graph.json"));
+  const json graph = json::parse(contentsOf(temp / "out/graph.json"));
   EXPECT_EQ(graph["frame"], "map");
   EXPECT_EQ(graph["map"]["digest"], OccupancyMap(loadMap(temp / "map.yaml").grid).digest());
   ASSERT_EQ(graph["areas"].size(), 2U);
@@ -133,10 +133,10 @@ TEST(ConvertCommand, GraphTellsAreasAndDoors) {
 }
 
 TEST(ConvertCommand, SummaryCountsAndMeasures) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   saveMap(twoRooms(), temp / "map.yaml");
   ASSERT_EQ(convert(temp, "out"), kDone);
-  const json summary = json::parse(readFile(temp / "out/summary.json"));
+  const json summary = json::parse(contentsOf(temp / "out/summary.json"));
   EXPECT_EQ(summary["pixels"], 3000);
   EXPECT_EQ(summary["cells"].get<int>(),
             summary["rows"].get<int>() * summary["columns"].get<int>());
@@ -150,7 +150,7 @@ TEST(ConvertCommand, SummaryCountsAndMeasures) {
 }
 
 TEST(ConvertCommand, TwoRunsWriteTheSame) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   testing::internal::CaptureStdout();
   ASSERT_EQ(run({"agrid_map_tool", "generate", "--size", "300", "--seed", "3", "-o", temp / "o"}),
             kDone);
@@ -159,42 +159,42 @@ TEST(ConvertCommand, TwoRunsWriteTheSame) {
   std::filesystem::rename(temp / "o/office.yaml", temp / "map.yaml");
   ASSERT_EQ(convert(temp, "a"), kDone);
   ASSERT_EQ(convert(temp, "b"), kDone);
-  auto a = readDirectory(temp / "a");
-  auto b = readDirectory(temp / "b");
+  auto a = contentsOfFolder(temp / "a");
+  auto b = contentsOfFolder(temp / "b");
   a.erase("summary.json");  // tells how long it took
   b.erase("summary.json");
   EXPECT_EQ(a, b);
 }
 
 TEST(ConvertCommand, F28_ExistingOutputNeedsForce) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   saveMap(twoRooms(), temp / "map.yaml");
   ASSERT_EQ(convert(temp, "out"), kDone);
   std::ofstream(temp / "out/labels.png") << "mine";
   EXPECT_EQ(convert(temp, "out"), kWrongUsage);
-  EXPECT_EQ(readFile(temp / "out/labels.png"), "mine");
+  EXPECT_EQ(contentsOf(temp / "out/labels.png"), "mine");
   EXPECT_EQ(convert(temp, "out", {"--force"}), kDone);
-  EXPECT_NE(readFile(temp / "out/labels.png"), "mine");
+  EXPECT_NE(contentsOf(temp / "out/labels.png"), "mine");
 }
 
 TEST(ConvertCommand, F28_FailureLeavesNothingBehind) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   saveMap(twoRooms(), temp / "map.yaml");
   EXPECT_EQ(convert(temp, "out", {"--param", "max_pixels=100"}), kFileFailed);
   EXPECT_EQ(convert(temp, "out", {"--param", "min_threshold=-4"}), kFailed);
-  EXPECT_EQ(readDirectory(temp / "").size(), 2U);
+  EXPECT_EQ(contentsOfFolder(temp / "").size(), 2U);
 }
 
 TEST(ConvertCommand, ParametersReachThePipeline) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   saveMap(twoRooms(), temp / "map.yaml");
   ASSERT_EQ(convert(temp, "narrow", {"--param", "max_door_width=0.5"}), kDone);
-  EXPECT_EQ(json::parse(readFile(temp / "narrow/graph.json"))["doors"][0]["kind"], "PASSAGE");
+  EXPECT_EQ(json::parse(contentsOf(temp / "narrow/graph.json"))["doors"][0]["kind"], "PASSAGE");
   ASSERT_EQ(convert(temp, "large", {"-p", "min_area_size=20", "-p", "canny_low=2"}), kDone);
-  EXPECT_EQ(json::parse(readFile(temp / "large/summary.json"))["areas"], 1);
+  EXPECT_EQ(json::parse(contentsOf(temp / "large/summary.json"))["areas"], 1);
   const std::vector<std::string> paper{"--method", "paper", "-p", "passage_max_width=0.6"};
   ASSERT_EQ(convert(temp, "paper", paper), kDone);
-  EXPECT_EQ(json::parse(readFile(temp / "paper/summary.json"))["areas"], 1) << "no passage";
+  EXPECT_EQ(json::parse(contentsOf(temp / "paper/summary.json"))["areas"], 1) << "no passage";
 }
 
 }  // namespace

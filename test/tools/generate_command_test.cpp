@@ -6,14 +6,14 @@
 
 #include "agrid/evaluation/office_generator.h"
 #include "agrid/map/map_io.h"
-#include "support/temp_directory.h"
+#include "support/temporary_folder.h"
 #include "tools/commands.h"
 
 namespace agrid::tools {
 namespace {
 
-using test::readDirectory;
-using test::TempDirectory;
+using test::contentsOfFolder;
+using test::TemporaryFolder;
 
 int generate(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"agrid_map_tool", "generate"});
@@ -26,7 +26,7 @@ int generate(std::vector<std::string> arguments) {
 }
 
 TEST(GenerateCommand, FilesGiveTheOfficeBack) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   ASSERT_EQ(generate({"--size", "240", "--seed", "9", "-o", temp / "out"}), kDone);
   OfficeParams params;
   params.size = 240;
@@ -44,28 +44,28 @@ TEST(GenerateCommand, FilesGiveTheOfficeBack) {
           office.rooms[static_cast<std::size_t>(239 - y) * 240 + static_cast<std::size_t>(x)]);
     }
   }
-  const std::string doors = test::readFile(temp / "out/doors.csv");
+  const std::string doors = test::contentsOf(temp / "out/doors.csv");
   EXPECT_EQ(static_cast<std::size_t>(std::count(doors.begin(), doors.end(), '\n')),
             office.doors_map.size() + 1);
 }
 
 TEST(GenerateCommand, SameSeedSameFiles) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   ASSERT_EQ(generate({"--size", "200", "--seed", "4", "-o", temp / "a"}), kDone);
   ASSERT_EQ(generate({"--size", "200", "--seed", "4", "-o", temp / "b"}), kDone);
   ASSERT_EQ(
       generate({"--size", "200", "--seed", "4", "--no-noise", "--no-furniture", "-o", temp / "c"}),
       kDone);
-  const auto a = readDirectory(temp / "a");
+  const auto a = contentsOfFolder(temp / "a");
   EXPECT_EQ(a.size(), 4U);
-  EXPECT_EQ(a, readDirectory(temp / "b"));
-  auto c = readDirectory(temp / "c");
+  EXPECT_EQ(a, contentsOfFolder(temp / "b"));
+  auto c = contentsOfFolder(temp / "c");
   EXPECT_NE(a.at("office.pgm"), c.at("office.pgm"));
   EXPECT_EQ(a.at("rooms.png"), c.at("rooms.png"));
 }
 
 TEST(GenerateCommand, F28_ExistingOutputNeedsForce) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   ASSERT_EQ(generate({"--size", "100", "-o", temp / "a"}), kDone);
   EXPECT_EQ(generate({"--size", "100", "-o", temp / "a"}), kWrongUsage);
   EXPECT_EQ(generate({"--size", "100", "-o", temp / "a", "--force"}), kDone);

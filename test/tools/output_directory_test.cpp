@@ -5,18 +5,18 @@
 #include <sys/stat.h>
 
 #include "agrid/map/map_io.h"
-#include "support/temp_directory.h"
+#include "support/temporary_folder.h"
 #include "tools/arguments.h"
 
 namespace agrid::tools {
 namespace {
 
-using test::readDirectory;
-using test::TempDirectory;
+using test::contentsOfFolder;
+using test::TemporaryFolder;
 using Files = std::map<std::string, std::string>;
 
 TEST(OutputDirectory, AppearsWhenPublished) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   {
     OutputDirectory output(temp / "out/", {"a", "b"}, false);
     writeText(output.stagedPath("a"), "1");
@@ -24,12 +24,12 @@ TEST(OutputDirectory, AppearsWhenPublished) {
     EXPECT_FALSE(std::filesystem::exists(temp / "out"));
     output.publish();
   }
-  EXPECT_EQ(readDirectory(temp / "out"), (Files{{"a", "1"}, {"b", "2"}}));
-  EXPECT_EQ(readDirectory(temp / "").size(), 1U);
+  EXPECT_EQ(contentsOfFolder(temp / "out"), (Files{{"a", "1"}, {"b", "2"}}));
+  EXPECT_EQ(contentsOfFolder(temp / "").size(), 1U);
 }
 
 TEST(OutputDirectory, NewOneIsAsOpenAsOthers) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   const mode_t mask = umask(022);
   OutputDirectory output(temp / "out", {}, false);
   output.publish();
@@ -40,18 +40,18 @@ TEST(OutputDirectory, NewOneIsAsOpenAsOthers) {
 }
 
 TEST(OutputDirectory, F28_UnfinishedOutputLeavesNoTrace) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   std::filesystem::create_directory(temp / "there");
   for (const char* name : {"new", "there"}) {
     OutputDirectory output(temp / name, {"a"}, false);
     writeText(output.stagedPath("a"), "1");
   }
-  EXPECT_EQ(readDirectory(temp / ""), (Files{{"there", ""}}));
-  EXPECT_TRUE(readDirectory(temp / "there").empty());
+  EXPECT_EQ(contentsOfFolder(temp / ""), (Files{{"there", ""}}));
+  EXPECT_TRUE(contentsOfFolder(temp / "there").empty());
 }
 
 TEST(OutputDirectory, F28_ExistingFilesNeedForce) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   std::filesystem::create_directory(temp / "out");
   writeText(temp / "out/a", "old");
   writeText(temp / "out/other", "kept");
@@ -59,14 +59,14 @@ TEST(OutputDirectory, F28_ExistingFilesNeedForce) {
   EXPECT_NO_THROW(OutputDirectory(temp / "out", {"b"}, false));
   OutputDirectory output(temp / "out", {"a"}, true);
   writeText(output.stagedPath("a"), "new");
-  EXPECT_EQ(test::readFile(temp / "out/a"), "old");
+  EXPECT_EQ(test::contentsOf(temp / "out/a"), "old");
   output.publish();
-  EXPECT_EQ(test::readFile(temp / "out/a"), "new");
-  EXPECT_EQ(test::readFile(temp / "out/other"), "kept");
+  EXPECT_EQ(test::contentsOf(temp / "out/a"), "new");
+  EXPECT_EQ(test::contentsOf(temp / "out/other"), "kept");
 }
 
 TEST(OutputDirectory, F28_PlacesThatCannotBeWrittenAreRefusedAtOnce) {
-  const TempDirectory temp;
+  const TemporaryFolder temp;
   writeText(temp / "file", "");
   EXPECT_THROW(OutputDirectory(temp / "missing/out", {"a"}, false), FileError);
   EXPECT_THROW(OutputDirectory(temp / "file", {"a"}, false), FileError);

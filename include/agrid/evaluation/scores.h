@@ -14,7 +14,7 @@ namespace agrid {
 struct AreaScores {
   double iou_all = 0;  ///< mean intersection over union of the best one-to-one pairs; rooms and
                        ///< areas without a partner count 0
-  double f1_50 = 0;  ///< F1 of these pairs, those of at least 0.5 being hits
+  double f1_50 = 0;    ///< F1 of these pairs, those of at least 0.5 being hits
   double mcc = 0;  ///< mean Matthews correlation of each pair over pixels labelled in both (Mielle
                    ///< et al. 2018); rooms and areas without a partner count 0
   std::size_t areas = 0;  ///< areas that were counted
