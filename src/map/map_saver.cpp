@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
-#include <charconv>
+#include <cstdint>
 #include <filesystem>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "agrid/map/map_io.h"
 #include "map/file_writer.h"
@@ -13,10 +17,16 @@ namespace {
 // The fewest decimals that read back as the same number, without an exponent, in any locale.
 template <typename Number>
 std::string decimal(Number number) {
-  std::array<char, 512> text{};  // 1e-308 in full takes 326 characters
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);
-  return std::string(text.data(), end.ptr);
+  constexpr int kMostDecimals = 1100;  // the smallest number in full has 1074
+  for (int decimals = 0;; ++decimals) {
+    std::stringstream text;
+    text.imbue(std::locale::classic());
+    text << std::fixed << std::setprecision(decimals) << number;
+    const std::string written = text.str();
+    Number read = 0;
+    text >> read;
+    if (read == number || decimals == kMostDecimals) return written;
+  }
 }
 
 std::string quoted(const std::string& text) {

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
+#include <locale>
 #include <optional>
+#include <sstream>
 
 #include "agrid/map/map_io.h"
 #include "map/printable.h"
@@ -31,15 +32,17 @@ std::optional<double> numberOf(const std::string& untrimmed) {
   std::string text = trimmed(untrimmed);
   if (!text.empty() && text[0] == '+') text.erase(0, 1);
   const std::size_t digits = text.rfind('-', 0) == 0 ? 1 : 0;
-  // std::from_chars would take "inf" and "nan"
+  // libraries differ over "inf" and "nan"
   if (text.size() <= digits ||
       (text[digits] != '.' && !std::isdigit(static_cast<unsigned char>(text[digits])))) {
     return std::nullopt;
   }
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
   double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, number);
-  if (result.ec != std::errc() || result.ptr != end) return std::nullopt;
+  if (!(stream >> number) || stream.peek() != std::istringstream::traits_type::eof()) {
+    return std::nullopt;
+  }
   return number;
 }
 

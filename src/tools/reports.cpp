@@ -8,7 +8,7 @@
 namespace agrid::tools {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 /// A tenth of a millimetre is finer than any map; more digits only hide what changed.
 double rounded(double value) {
