@@ -18,8 +18,6 @@ class Obstacles {
   bool at(std::size_t pixel_index) const;
   /// One byte a pixel, row-major, 1 = obstacle.
   std::vector<std::uint8_t> mask() const;
-  /// Pixels of closed doors that are free in the map, sorted indices.
-  const std::vector<std::size_t>& doorPixels() const { return door_pixels_; }
 
  private:
   bool blockedInMap(std::size_t pixel_index) const;
@@ -27,7 +25,7 @@ class Obstacles {
 
   const OccupancyMap* map_;
   bool allow_unknown_;
-  std::vector<std::size_t> door_pixels_;
+  std::vector<std::size_t> door_pixels_;  // those of closed doors that are free in the map, sorted
 };
 
 /// Squared distance of every pixel to the obstacles [px^2], by the rule of `clearance`: from centre

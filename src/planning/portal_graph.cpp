@@ -34,7 +34,7 @@ class RunBuilder {
          {&rows_[0][x - 1], &rows_[0][x], &rows_[0][x + 1], &rows_[1][x - 1], &rows_[1][x]}) {
       for (const std::uint32_t pair : slot->pairs) {
         if (pair == kNoNode || !sameNodes(pairs_[pair], a, b)) continue;
-        if (run != kNoNode) sets_.join(run, pairs_[pair].run);
+        if (run != kNoNode) sets_.unite(run, pairs_[pair].run);
         run = pairs_[pair].run;
       }
     }
@@ -116,7 +116,7 @@ void PortalGraph::labelNodes(const FreeSpace& free, const ClassesOfRow& classes_
       const std::uint32_t from_left = here[x - 1] == here[x] ? node_at_[i - 1] : kNoNode;
       const std::uint32_t from_below = below[x] == here[x] ? node_at_[i - width] : kNoNode;
       node_at_[i] = from_left != kNoNode ? from_left : from_below;
-      if (from_left != kNoNode && from_below != kNoNode) sets.join(from_left, from_below);
+      if (from_left != kNoNode && from_below != kNoNode) sets.unite(from_left, from_below);
       if (node_at_[i] != kNoNode) continue;
       node_at_[i] = sets.add();
       class_of_set.push_back(here[x]);
@@ -166,7 +166,7 @@ void PortalGraph::findPortals(const MapGeometry& geometry, const StopCheck& stop
 void PortalGraph::joinComponents() {
   DisjointSets sets;
   for (std::size_t i = 0; i < nodeCount(); ++i) sets.add();
-  for (const Portal& portal : portals_) sets.join(portal.nodes[0], portal.nodes[1]);
+  for (const Portal& portal : portals_) sets.unite(portal.nodes[0], portal.nodes[1]);
   component_of_ = sets.numbers();
 }
 

@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
-#include "planning/disjoint_sets.h"
 #include "planning/free_space.h"
 #include "planning/stop.h"
+#include "tags/disjoint_sets.h"
 
 namespace agrid::planning {
 

@@ -25,9 +25,6 @@ struct StopCheck {
     if (isCancelled()) throw Stopped{PlanStatus::kCancelled};
     if (isLate()) throw Stopped{PlanStatus::kTimeout};
   }
-  double secondsLeft() const {
-    return std::chrono::duration<double>(deadline - std::chrono::steady_clock::now()).count();
-  }
 };
 
 }  // namespace agrid::planning
