@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iomanip>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include "agrid/map/map_io.h"
 #include "agrid/pipeline.h"
@@ -55,6 +58,19 @@ void writePictures(const SemanticMap& map, const WallParams& params, OutputDirec
   writePng(output.stagedPath("overview.png"), drawOverview(map));
 }
 
+std::string inAll(const std::vector<StageCost>& costs) {
+  double seconds = 0;
+  double megabytes = 0;
+  for (const StageCost& cost : costs) {
+    seconds += cost.seconds;
+    megabytes = std::max(megabytes, cost.peak_megabytes);
+  }
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << seconds << " s, at most " << std::setprecision(0)
+       << megabytes << " MB";
+  return text.str();
+}
+
 int convert(const Arguments& arguments) {
   const ConversionParams params = conversionParams(arguments);
   OutputDirectory output(arguments.value("output"), kFiles, arguments.has("force"));
@@ -72,7 +88,8 @@ int convert(const Arguments& arguments) {
   output.publish();
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
   std::cout << arguments.operand(0) << ": " << map.grid().cellCount() << " cells, "
-            << map.area_map.areas.size() << " areas, " << map.area_map.doors.size() << " doors\n";
+            << map.area_map.areas.size() << " areas, " << map.area_map.doors.size() << " doors, "
+            << inAll(meter.costs()) << "\n";
   return kDone;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "agrid/map/map_io.h"
@@ -149,7 +151,18 @@ TEST(ConvertCommand, SummaryCountsAndMeasures) {
   EXPECT_TRUE(summary["warnings"].is_array());
 }
 
-TEST(ConvertCommand, TwoRunsWriteTheSame) {
+TEST(ConvertCommand, F27_M16_TimeAndPeakMemoryArePrinted) {
+  const TemporaryFolder temp;
+  saveMap(twoRooms(), temp / "map.yaml");
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(run({"agrid_map_tool", "convert", temp / "map.yaml", "-o", temp / "out"}), kDone);
+  const std::string printed = testing::internal::GetCapturedStdout();
+  const std::regex line(
+      ".*/map\\.yaml: [0-9]+ cells, 2 areas, 1 doors, [0-9]+\\.[0-9] s, at most [0-9]+ MB\n");
+  EXPECT_TRUE(std::regex_match(printed, line)) << printed;
+}
+
+TEST(ConvertCommand, TwoRunsWriteTheSameWithAnyNumberOfThreads) {
   const TemporaryFolder temp;
   testing::internal::CaptureStdout();
   ASSERT_EQ(run({"agrid_map_tool", "generate", "--size", "300", "--seed", "3", "-o", temp / "o"}),
@@ -157,8 +170,12 @@ TEST(ConvertCommand, TwoRunsWriteTheSame) {
   testing::internal::GetCapturedStdout();
   std::filesystem::rename(temp / "o/office.pgm", temp / "office.pgm");
   std::filesystem::rename(temp / "o/office.yaml", temp / "map.yaml");
+  const int threads = cv::getNumThreads();
+  cv::setNumThreads(1);
   ASSERT_EQ(convert(temp, "a"), kDone);
+  cv::setNumThreads(4);
   ASSERT_EQ(convert(temp, "b"), kDone);
+  cv::setNumThreads(threads);
   auto a = contentsOfFolder(temp / "a");
   auto b = contentsOfFolder(temp / "b");
   a.erase("summary.json");  // tells how long it took
