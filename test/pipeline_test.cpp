@@ -8,6 +8,7 @@
 
 #include "agrid/evaluation/office_generator.h"
 #include "support/ascii_map.h"
+#include "support/generated_maps.h"
 
 namespace agrid {
 namespace {
@@ -122,6 +123,66 @@ TEST(Pipeline, M14_UniformMapsSayWhyThereIsNothing) {
   }
   const std::vector<std::string> free(40, std::string(40, '.'));
   EXPECT_EQ(annotated(test::asciiGrid(free, 0.05)).area_map.areas.size(), 1U);
+}
+
+TEST(Pipeline, M15_NoiseGivesNoMoreCellsThanAllowedAndSaysSo) {
+  PipelineParams params;
+  params.grid.max_cells = 300;
+  for (const double density : {0.01, 0.1, 0.3, 0.5}) {
+    SCOPED_TRACE(density);
+    const auto map = std::make_shared<const OccupancyMap>(test::noise(5, 400, 400, density));
+    const Structure structure = extractStructure(map, params);
+    EXPECT_LE(structure.grid->cellCount(), 300U);
+    EXPECT_FALSE(structure.walls.warnings.empty());
+    EXPECT_EQ(annotate(structure, {}, params).area_map.pixel_labels.size(), 160000U);
+  }
+}
+
+/// A corridor of one pixel that winds to the middle, with walls of one pixel.
+std::vector<std::string> spiral(int size) {
+  std::vector<std::string> rows(static_cast<std::size_t>(size),
+                                std::string(static_cast<std::size_t>(size), '#'));
+  const auto at = [&](int x, int y) -> char& {
+    return rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
+  };
+  const auto isFree = [&](int x, int y) {
+    return x >= 0 && y >= 0 && x < size && y < size && at(x, y) == '.';
+  };
+  int x = 1;
+  int y = 1;
+  int dx = 1;
+  int dy = 0;
+  at(x, y) = '.';
+  for (int turns = 0; turns < 2;) {
+    const bool blocked = x + dx <= 0 || y + dy <= 0 || x + dx >= size - 1 || y + dy >= size - 1 ||
+                         isFree(x + 2 * dx, y + 2 * dy);
+    if (blocked) {
+      std::swap(dx, dy);
+      dx = -dx;
+      ++turns;
+    } else {
+      x += dx;
+      y += dy;
+      at(x, y) = '.';
+      turns = 0;
+    }
+  }
+  return rows;
+}
+
+TEST(Pipeline, M17_LongWindingsAndCheckerboardsNeedNoDeepStack) {
+  const std::vector<std::string> winding = spiral(501);
+  const auto free_of = [](const std::string& row) { return std::count(begin(row), end(row), '.'); };
+  std::ptrdiff_t free = 0;
+  for (const std::string& row : winding) free += free_of(row);
+  ASSERT_GT(free, 501 * 501 * 2 / 5);
+  // 0.3 m wide, so that it is no stray ray
+  EXPECT_EQ(annotated(test::asciiGrid(winding, 0.3)).area_map.areas.size(), 1U);
+  std::vector<std::string> board(500);
+  for (std::size_t y = 0; y < board.size(); ++y) {
+    for (std::size_t x = 0; x < 500; ++x) board[y] += (x + y) % 2 == 0 ? '.' : '#';
+  }
+  EXPECT_LE(annotated(test::asciiGrid(board, 0.3)).area_map.areas.size(), 1U);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(AreaMap, OfOnePixelIsOneAreaIfItIsFree) {
   EXPECT_TRUE(segment(test::asciiMap({"#"})).areas.empty());
 }
 
-TEST(AreaMap, OfACheckerboardIsOneArea) {
+TEST(AreaMap, M17_OfACheckerboardIsOneArea) {
   std::vector<std::string> rows;
   for (int y = 0; y < 40; ++y) {
     rows.emplace_back();
@@ -66,7 +66,7 @@ TEST(AreaMap, OfACheckerboardIsOneArea) {
   EXPECT_EQ(segment(test::asciiMap(rows)).areas.size(), 1U);
 }
 
-TEST(AreaMap, OfACorridorOfOnePixelIsOneArea) {
+TEST(AreaMap, M17_OfACorridorOfOnePixelIsOneArea) {
   std::vector<std::string> rows(41, std::string(60, '#'));
   for (std::size_t y = 1; y < 40; ++y) {
     if (y % 4 == 1) rows[y] = "#" + std::string(58, '.') + "#";

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The wiring of the nodelet: topics, services, maps that come and go. What is answered is tested
-// without a master.
+// The wiring of the nodelet: topics and services. What is answered is tested without a master.
 #include <atomic>
 #include <future>
 
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/GetMap.h>
 #include <nav_msgs/GetPlan.h>
-#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -17,7 +14,6 @@
 #include <agrid_map/PlanAreas.h>
 #include <agrid_map/WhereIs.h>
 
-#include "agrid/evaluation/office_generator.h"
 #include "nodelet_client.h"
 
 namespace agrid_map_ros {
@@ -129,77 +125,6 @@ TEST_F(Nodelet, P13_BusyWhileAsManyPlansRunAsMay) {
   EXPECT_EQ(pathStatus(pathRequest()), int{Status::SUCCESS});
 }
 
-TEST_F(Nodelet, ASecondMapReplacesTheFirst) {
-  useTwoRooms();
-  const std::uint32_t version = graph().version;
-  use(test::drawn(test::walledUp()));
-  EXPECT_GT(graph().version, version);
-  EXPECT_EQ(pathStatus(pathRequest()), int{Status::NO_ROUTE});
-}
-
-TEST_F(Nodelet, M18_AMapInAnotherFrame) {
-  use(test::drawn(test::twoRoomsAndACloset(), "world"));
-  EXPECT_EQ(latched<agrid_map::AGrid>("agrid/agrid")->header.frame_id, "world");
-  const auto path = ask<agrid_map::PlanPath>("agrid/plan_path", pathRequest());
-  EXPECT_EQ(path.path.header.frame_id, "world");
-}
-
-TEST_F(Nodelet, M19_TheSameMapAgainChangesNothing) {
-  useTwoRooms();
-  const std::uint32_t version = graph().version;
-  map_publisher_.publish(test::drawn(test::twoRoomsAndACloset()));
-  auto other = test::drawn(test::walledUp());
-  use(other);
-  EXPECT_EQ(graph().version, version + 1);
-}
-
-TEST_F(Nodelet, M22_M23_PatchesChangeTheMapIfTheyFit) {
-  useTwoRooms();
-  ASSERT_TRUE(eventually([this] { return update_publisher_.getNumSubscribers() >= 2; }));
-  map_msgs::OccupancyGridUpdate patch;
-  patch.header.frame_id = "map";
-  patch.x = 60;
-  patch.y = 30;
-  patch.width = patch.height = 10;
-  patch.data.assign(99, 100);
-  update_publisher_.publish(patch);  // a value too few
-  patch.data.push_back(100);
-  patch.header.frame_id = "odom";
-  update_publisher_.publish(patch);
-  patch.header.frame_id = "map";
-  patch.x = 165;
-  update_publisher_.publish(patch);
-  patch.x = 60;
-  update_publisher_.publish(patch);  // walls up the door
-  const std::string digest = digestOf(test::drawn(test::walledUp()));
-  EXPECT_TRUE(eventually([&] { return graph().map_id == digest; }));
-}
-
-TEST_F(Nodelet, M1_ABadMapLeavesTheFormerOneInUse) {
-  useTwoRooms();
-  const auto before = graph();
-  std::string last_error;  // as /diagnostics tells it
-  ros::CallbackQueue queue;
-  ros::NodeHandle nh;
-  nh.setCallbackQueue(&queue);
-  const boost::function<void(const diagnostic_msgs::DiagnosticArrayConstPtr&)> listen =
-      [&last_error](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
-        const auto& status = array->status.at(0);
-        if (status.name == "agrid: map") last_error = status.values.back().value;
-      };
-  const ros::Subscriber subscriber =
-      nh.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, listen);
-  auto bad = test::drawn(test::walledUp());
-  bad.data.pop_back();
-  map_publisher_.publish(bad);
-  EXPECT_TRUE(eventually([&] {
-    queue.callAvailable();
-    return last_error.find("values") != std::string::npos;
-  }));
-  EXPECT_EQ(graph().version, before.version);
-  EXPECT_EQ(pathStatus(pathRequest()), int{Status::SUCCESS});
-}
-
 TEST_F(Nodelet, TheRobotsPoseByTf) {
   useTwoRooms();
   auto request = pathRequest();
@@ -217,25 +142,6 @@ TEST_F(Nodelet, TheRobotsPoseByTf) {
   const auto path = ask<agrid_map::PlanPath>("agrid/plan_path", request);
   ASSERT_EQ(path.status.code, int{Status::SUCCESS}) << path.status.message;
   EXPECT_NEAR(path.path.poses.back().pose.position.y, 4.5, 1e-3);
-}
-
-TEST_F(Nodelet, AnswersWhileANewMapIsBuilt) {
-  useTwoRooms();
-  agrid::OfficeParams office;
-  office.size = 2000;
-  std_msgs::Header header;
-  header.frame_id = "map";
-  const auto map = toMsg(agrid::OccupancyMap(agrid::generateOffice(office).grid), header);
-  const std::string digest = digestOf(map);
-  map_publisher_.publish(map);
-  int answered_before = 0;
-  EXPECT_TRUE(eventually([&] {
-    const auto now = graph();
-    answered_before += now.map_id != digest;
-    return now.map_id == digest;
-  }));
-  EXPECT_GT(answered_before, 0);
-  EXPECT_GT(graph().areas.size(), 20U);
 }
 
 TEST_F(Nodelet, AsksForItsMapWhereNoneIsPublished) {

@@ -88,11 +88,12 @@ class NodeletClient : public testing::Test {
     return ask<agrid_map::LabelAt>("agrid/label_at", request).area;
   }
 
-  void placeRobot(double x, double y) {
+  void placeRobot(double x, double y) { place("base_link", x, y); }
+  void place(const std::string& frame, double x, double y) {
     geometry_msgs::TransformStamped transform;
     transform.header.stamp = ros::Time::now();
     transform.header.frame_id = "map";
-    transform.child_frame_id = "base_link";
+    transform.child_frame_id = frame;
     transform.transform.translation.x = x;
     transform.transform.translation.y = y;
     transform.transform.rotation.w = 1;

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps that come and go, as the nodelet lives through them.
+#include <future>
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include "agrid/evaluation/office_generator.h"
+#include "nodelet_client.h"
+
+namespace agrid_map_ros {
+namespace {
+
+using agrid_map::Status;
+using test::eventually;
+
+class Maps : public test::NodeletClient {};
+
+TEST_F(Maps, ASecondMapReplacesTheFirst) {
+  useTwoRooms();
+  const std::uint32_t version = graph().version;
+  use(test::drawn(test::walledUp()));
+  EXPECT_GT(graph().version, version);
+  EXPECT_EQ(pathStatus(pathRequest()), int{Status::NO_ROUTE});
+}
+
+TEST_F(Maps, M18_AMapInAnotherFrame) {
+  use(test::drawn(test::twoRoomsAndACloset(), "world"));
+  EXPECT_EQ(latched<agrid_map::AGrid>("agrid/agrid")->header.frame_id, "world");
+  const auto path = ask<agrid_map::PlanPath>("agrid/plan_path", pathRequest());
+  EXPECT_EQ(path.path.header.frame_id, "world");
+}
+
+TEST_F(Maps, M19_TheSameMapAgainChangesNothing) {
+  useTwoRooms();
+  const std::uint32_t version = graph().version;
+  map_publisher_.publish(test::drawn(test::twoRoomsAndACloset()));
+  auto other = test::drawn(test::walledUp());
+  use(other);
+  EXPECT_EQ(graph().version, version + 1);
+}
+
+TEST_F(Maps, M20_ARequestEndsOnTheMapItBeganWith) {
+  int attempts = 0;
+  EXPECT_TRUE(eventually([&] {
+    useTwoRooms();
+    const std::string former = graph().map_id;
+    auto request = pathRequest();
+    request.goal.header.frame_id = "late_" + std::to_string(++attempts);
+    auto answer = std::async(std::launch::async,
+                             [&] { return ask<agrid_map::PlanPath>("agrid/plan_path", request); });
+    ros::Duration(0.1).sleep();
+    use(test::drawn(test::walledUp()));
+    place(request.goal.header.frame_id, 0, 0);  // what the request waits for
+    const auto response = answer.get();
+    if (response.status.code == int{Status::NO_TRANSFORM}) return false;  // the map came too late
+    EXPECT_EQ(response.status.code, int{Status::SUCCESS}) << response.status.message;
+    return response.map_id == former &&
+           response.status.message.find("newer map") != std::string::npos;
+  }));
+}
+
+TEST_F(Maps, M22_M23_PatchesChangeTheMapIfTheyFit) {
+  useTwoRooms();
+  ASSERT_TRUE(eventually([this] { return update_publisher_.getNumSubscribers() >= 2; }));
+  map_msgs::OccupancyGridUpdate patch;
+  patch.header.frame_id = "map";
+  patch.x = 60;
+  patch.y = 30;
+  patch.width = patch.height = 10;
+  patch.data.assign(99, 100);
+  update_publisher_.publish(patch);  // a value too few
+  patch.data.push_back(100);
+  patch.header.frame_id = "odom";
+  update_publisher_.publish(patch);
+  patch.header.frame_id = "map";
+  patch.x = 165;
+  update_publisher_.publish(patch);
+  patch.x = 60;
+  update_publisher_.publish(patch);  // walls up the door
+  const std::string digest = digestOf(test::drawn(test::walledUp()));
+  EXPECT_TRUE(eventually([&] { return graph().map_id == digest; }));
+}
+
+TEST_F(Maps, M1_ABadMapLeavesTheFormerOneInUse) {
+  useTwoRooms();
+  const auto before = graph();
+  std::string last_error;  // as /diagnostics tells it
+  ros::CallbackQueue queue;
+  ros::NodeHandle nh;
+  nh.setCallbackQueue(&queue);
+  const boost::function<void(const diagnostic_msgs::DiagnosticArrayConstPtr&)> listen =
+      [&last_error](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
+        const auto& status = array->status.at(0);
+        if (status.name == "agrid: map") last_error = status.values.back().value;
+      };
+  const ros::Subscriber subscriber =
+      nh.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, listen);
+  auto bad = test::drawn(test::walledUp());
+  bad.data.pop_back();
+  map_publisher_.publish(bad);
+  EXPECT_TRUE(eventually([&] {
+    queue.callAvailable();
+    return last_error.find("values") != std::string::npos;
+  }));
+  EXPECT_EQ(graph().version, before.version);
+  EXPECT_EQ(pathStatus(pathRequest()), int{Status::SUCCESS});
+}
+
+TEST_F(Maps, M16_AnswersWhileANewMapIsBuilt) {
+  useTwoRooms();
+  agrid::OfficeParams office;
+  office.size = 2000;
+  std_msgs::Header header;
+  header.frame_id = "map";
+  const auto map = toMsg(agrid::OccupancyMap(agrid::generateOffice(office).grid), header);
+  const std::string digest = digestOf(map);
+  map_publisher_.publish(map);
+  int answered_before = 0;
+  EXPECT_TRUE(eventually([&] {
+    const auto now = graph();
+    answered_before += now.map_id != digest;
+    return now.map_id == digest;
+  }));
+  EXPECT_GT(answered_before, 0);
+  EXPECT_GT(graph().areas.size(), 20U);
+}
+
+}  // namespace
+}  // namespace agrid_map_ros
