@@ -11,7 +11,7 @@
 namespace agrid {
 namespace {
 
-constexpr int kMaxGap_px = 3;
+constexpr int kMaxGapPx = 3;
 
 /// Splits the points from `begin` to `end`, all of one pair of areas.
 void splitPair(const BorderPoint* begin, const BorderPoint* end, const MapGeometry& geometry,
@@ -25,8 +25,8 @@ void splitPair(const BorderPoint* begin, const BorderPoint* end, const MapGeomet
   }
   for (std::uint32_t i = 0; i < count; ++i) {
     const Pixel p = geometry.pixel(begin[i].pixel);
-    for (int y = p.y; y <= p.y + kMaxGap_px; ++y) {
-      for (int x = p.x - kMaxGap_px; x <= p.x + kMaxGap_px; ++x) {
+    for (int y = p.y; y <= p.y + kMaxGapPx; ++y) {
+      for (int x = p.x - kMaxGapPx; x <= p.x + kMaxGapPx; ++x) {
         if (!geometry.contains({x, y})) continue;
         const auto near = at_pixel.find(geometry.index({x, y}));
         if (near != at_pixel.end()) sets.unite(i, near->second);

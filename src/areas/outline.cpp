@@ -11,7 +11,7 @@
 namespace agrid {
 namespace {
 
-constexpr double kTolerance_px = 1;
+constexpr double kTolerancePx = 1;
 
 cv::Mat1b largestPart(const cv::Mat1b& shape) {
   cv::Mat1i labels;
@@ -60,7 +60,7 @@ Polygon traceOutline(const cv::Mat1b& shape) {
   if (lowest == part.end()) return {};
   std::vector<cv::Point> corners = traceCorners(part, lowest.pos());
   std::vector<cv::Point> simplified;
-  cv::approxPolyDP(corners, simplified, kTolerance_px, true);
+  cv::approxPolyDP(corners, simplified, kTolerancePx, true);
   // a shape as thin as the tolerance would collapse
   if (cv::contourArea(simplified) > 0.9 * cv::contourArea(corners)) corners = simplified;
   Polygon outline;

@@ -37,9 +37,9 @@ Endpoint endpointAt(const RadiusLevel& level, FinePoint point) {
 FinePoint insidePixel(Pixel p, const Point2& wanted) {
   const FinePoint center = centerOf(p);
   const FinePoint point = finePoint(wanted);
-  constexpr std::int64_t reach = kFine / 2 - 1;
-  return {std::clamp(point.x, center.x - reach, center.x + reach),
-          std::clamp(point.y, center.y - reach, center.y + reach)};
+  constexpr std::int64_t kReach = kFine / 2 - 1;
+  return {std::clamp(point.x, center.x - kReach, center.x + kReach),
+          std::clamp(point.y, center.y - kReach, center.y + kReach)};
 }
 
 /// For each component its pixel nearest to `wanted` within `reach_px`.

@@ -16,20 +16,20 @@ std::vector<std::int32_t> columnDistances(const MapGeometry& geometry,
                                           const StopCheck& stop) {
   const auto width = static_cast<std::size_t>(geometry.width);
   const auto height = static_cast<std::size_t>(geometry.height);
-  constexpr auto none = static_cast<std::int32_t>(kNone);
+  constexpr auto kNoDistance = static_cast<std::int32_t>(kNone);
   std::vector<std::int32_t> distance(geometry.pixelCount());
   for (std::size_t y = 0; y < height; ++y) {
     if (y % 64 == 0) stop.check();
     for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
-      const std::int32_t above = y == 0 ? none : distance[i - width];
-      distance[i] = marked[i] != 0 ? 0 : above == none ? none : above + 1;
+      const std::int32_t above = y == 0 ? kNoDistance : distance[i - width];
+      distance[i] = marked[i] != 0 ? 0 : above == kNoDistance ? kNoDistance : above + 1;
     }
   }
   for (std::size_t y = height - 1; y-- > 0;) {
     if (y % 64 == 0) stop.check();
     for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
       const std::int32_t below = distance[i + width];
-      if (below != none) distance[i] = std::min(distance[i], below + 1);
+      if (below != kNoDistance) distance[i] = std::min(distance[i], below + 1);
     }
   }
   return distance;

@@ -82,7 +82,7 @@ Factory plain(bool improves = false) {
 }
 
 const std::map<std::string, Factory>& factories() {
-  static const std::map<std::string, Factory> map{
+  static const std::map<std::string, Factory> kFactories{
       {"ABITstar", plain<og::ABITstar>(true)},
       {"AITstar", plain<og::AITstar>(true)},
       {"BFMT", plain<og::BFMT>()},
@@ -114,7 +114,7 @@ const std::map<std::string, Factory>& factories() {
       {"SPARStwo", seeded<og::SPARStwo>()},
       {"STRIDE", seeded<og::STRIDE>()},
       {"TRRT", seeded<og::TRRT>()}};
-  return map;
+  return kFactories;
 }
 
 /// Path length; informed planners reject samples of the space's own sampler, which is guided and
