@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 
 #include "agrid/evaluation/office_generator.h"
 #include "nodelet_client.h"
@@ -126,6 +127,41 @@ TEST_F(Maps, M16_AnswersWhileANewMapIsBuilt) {
   }));
   EXPECT_GT(answered_before, 0);
   EXPECT_GT(graph().areas.size(), 20U);
+}
+
+TEST_F(Maps, M26_SeveralPublishersAreWarnedOfOnceAndTheLastMapWins) {
+  ros::CallbackQueue queue;
+  ros::NodeHandle nh;
+  nh.setCallbackQueue(&queue);
+  bool heard = false;
+  int warnings = 0;
+  const boost::function<void(const rosgraph_msgs::LogConstPtr&)> listen =
+      [&](const rosgraph_msgs::LogConstPtr& log) {
+        if (log->name != "/crowded") return;
+        heard = true;
+        warnings += log->msg.find("publishers on the map's topic") != std::string::npos;
+      };
+  const ros::Subscriber subscriber = nh.subscribe<rosgraph_msgs::Log>("/rosout", 100, listen);
+  agrid_map::LabelAt::Request outside;  // is warned of: who hears that will hear what follows too
+  outside.point.point.x = -99;
+  ASSERT_TRUE(eventually([&] {
+    ask<agrid_map::LabelAt>("crowded/label_at", outside);
+    queue.callAvailable();
+    return heard;
+  }));
+  const ros::Publisher publisher = nh_.advertise<nav_msgs::OccupancyGrid>("crowded_map", 1, true);
+  for (const auto& rows : {test::twoRoomsAndACloset(), test::walledUp()}) {
+    const auto map = test::drawn(rows);
+    publisher.publish(map);
+    EXPECT_TRUE(eventually([&] {
+      return ask<agrid_map::GetGraph>("crowded/get_graph").graph.map_id == digestOf(map);
+    }));
+  }
+  EXPECT_TRUE(eventually([&] {
+    queue.callAvailable();
+    return warnings > 0;
+  }));
+  EXPECT_EQ(warnings, 1);
 }
 
 }  // namespace
