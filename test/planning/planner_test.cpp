@@ -209,6 +209,7 @@ TEST(Planner, AnswersSeveralThreadsAndRadiiAtOnce) {
         const bool fits = *request.robot_radius < 2;
         const PlanStatus expected = fits ? PlanStatus::kSuccess : PlanStatus::kNoRoute;
         if (planner.plan(request).status != expected) ++wrong;
+        if (planner.routes(request, 2).status != expected) ++wrong;
       }
     });
   }
