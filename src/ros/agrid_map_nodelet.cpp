@@ -12,11 +12,11 @@ namespace {
 
 std::string summary(const Snapshot& snapshot) {
   const agrid::SemanticMap& map = *snapshot.map;
-  return "map " + map.map().digest() + " in '" + snapshot.frame() +
-         "': " + std::to_string(map.grid().cellCount()) + " cells, " +
-         std::to_string(map.area_map.areas.size()) + " areas, " +
-         std::to_string(map.area_map.doors.size()) + " doors, built in " +
-         formatNumber(snapshot.build_seconds) + " s";
+  return "Ready: " + std::to_string(map.area_map.areas.size()) + " areas, " +
+         std::to_string(map.area_map.doors.size()) + " doors, " +
+         std::to_string(map.grid().cellCount()) + " cells in frame '" + snapshot.frame() +
+         "', built in " + formatNumber(snapshot.build_seconds) + " s (map_id " +
+         map.map().digest() + ")";
 }
 
 }  // namespace

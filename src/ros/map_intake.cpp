@@ -64,10 +64,18 @@ void MapIntake::askStaticMap() {
     if (latest_) return static_map_timer_.stop();
   }
   nav_msgs::GetMap service;
-  if (!static_map_.exists() || !static_map_.call(service)) return;
+  if (!static_map_.exists() || !static_map_.call(service)) return warnOfNoMap();
   const std::lock_guard<std::mutex> lock(mutex_);
   if (latest_) return;
   take(boost::make_shared<const nav_msgs::OccupancyGrid>(service.response.map), "static_map");
+}
+
+void MapIntake::warnOfNoMap() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (warned_of_no_map_ || latest_) return;
+  warned_of_no_map_ = true;
+  deps_.log.warn("map", "still waiting: no map on " + map_subscriber_.getTopic() +
+                            " and none from the service " + static_map_.getService());
 }
 
 }  // namespace agrid_map_ros

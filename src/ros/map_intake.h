@@ -36,6 +36,8 @@ class MapIntake {
   void onMap(const nav_msgs::OccupancyGridConstPtr& map);
   void onUpdate(const map_msgs::OccupancyGridUpdateConstPtr& update);
   void askStaticMap();
+  /// Once, so that a map on another topic, or no map at all, can be found out.
+  void warnOfNoMap();
   /// Hands a map on if its header and size are fine; the caller holds the lock.
   void take(const nav_msgs::OccupancyGridConstPtr& map, const std::string& source);
 
@@ -43,6 +45,7 @@ class MapIntake {
   std::mutex mutex_;
   nav_msgs::OccupancyGridConstPtr latest_;  ///< the last one that patches can apply to
   bool warned_of_publishers_ = false;
+  bool warned_of_no_map_ = false;
   ros::ServiceClient static_map_;
   ros::Subscriber map_subscriber_;
   ros::Subscriber update_subscriber_;
