@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "map/squared_distance.h"
 #include "planning/fine_point.h"
 #include "planning/pixel_walk.h"
-#include "planning/squared_distance.h"
 
 namespace agrid::planning {
 namespace {
@@ -113,7 +113,7 @@ std::vector<std::int32_t> obstacleDistances(const MapGeometry& geometry, const O
                                             Clearance clearance, const StopCheck& stop) {
   std::vector<std::uint8_t> mask = obstacles.mask();
   if (clearance == Clearance::kStrict) widenByOnePixel(geometry, mask);
-  return squaredDistances(geometry, mask, stop);
+  return squaredDistances(geometry, mask, [&stop] { stop.check(); });
 }
 
 }  // namespace agrid::planning

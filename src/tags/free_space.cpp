@@ -8,6 +8,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "map/squared_distance.h"
+
 namespace agrid {
 namespace {
 
@@ -55,8 +57,15 @@ cv::Mat1b cleanFreeSpace(const OccupancyMap& map, const AreaParams& params) {
 }
 
 cv::Mat1f distanceFromWalls(const cv::Mat1b& free_space) {
-  cv::Mat1f distance;
-  cv::distanceTransform(free_space, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
+  // cv::distanceTransform is wrong from the 4098th column on, where floats hold no square of x
+  std::vector<std::uint8_t> walls(free_space.total());
+  std::transform(free_space.begin(), free_space.end(), walls.begin(),
+                 [](std::uint8_t free) { return free == 0 ? 1 : 0; });
+  const MapGeometry geometry{free_space.cols, free_space.rows, 1, {}};
+  const std::vector<std::int32_t> squared = squaredDistances(geometry, walls);
+  cv::Mat1f distance(free_space.size());
+  std::transform(squared.begin(), squared.end(), distance.begin(),
+                 [](std::int32_t d2) { return std::sqrt(static_cast<float>(d2)); });
   for (int y = 0; y < distance.rows; ++y) {
     const int beyond_y = std::min(y + 1, distance.rows - y);
     float* row = distance[y];

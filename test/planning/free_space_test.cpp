@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "map/squared_distance.h"
 #include "planning/pixel_walk.h"
-#include "planning/squared_distance.h"
 
 namespace agrid::planning {
 namespace {

@@ -64,5 +64,15 @@ TEST(FreeSpace, DistancesAreThoseToTheNearestOfAllWalls) {
   }
 }
 
+TEST(FreeSpace, DistancesStayExactOnWideMaps) {
+  cv::Mat1b free_space(60, 10000, std::uint8_t{0});
+  free_space.rowRange(10, 50) = 1;
+  const cv::Mat1f distance = distanceFromWalls(free_space);
+  for (int y = 0; y < free_space.rows; ++y) {
+    const int expected = y < 10 || y >= 50 ? 0 : std::min(y - 9, 50 - y);
+    for (int x = 40; x < free_space.cols - 40; ++x) ASSERT_EQ(distance(y, x), expected) << x;
+  }
+}
+
 }  // namespace
 }  // namespace agrid

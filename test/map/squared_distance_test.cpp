@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/squared_distance.h"
+#include "map/squared_distance.h"
 
 #include <algorithm>
 #include <random>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
-namespace agrid::planning {
+namespace agrid {
 namespace {
 
 TEST(SquaredDistances, AreThoseOfASearchOverAllMarkedPixels) {
@@ -45,12 +46,11 @@ TEST(SquaredDistances, EndAtTheLargestNumberTheyHold) {
   EXPECT_EQ(squaredDistances(geometry, marked)[49999], kFarSquared);
 }
 
-TEST(SquaredDistances, StopWhenCancelled) {
-  const std::atomic<bool> cancelled{true};
-  StopCheck stop;
-  stop.cancelled = &cancelled;
-  EXPECT_THROW(squaredDistances({3, 3, 1, {}}, std::vector<std::uint8_t>(9), stop), Stopped);
+TEST(SquaredDistances, EndWhenTheCallerThrows) {
+  const auto stop = [] { throw std::runtime_error("enough"); };
+  EXPECT_THROW(squaredDistances({3, 3, 1, {}}, std::vector<std::uint8_t>(9), stop),
+               std::runtime_error);
 }
 
 }  // namespace
-}  // namespace agrid::planning
+}  // namespace agrid

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "agrid/map/map_geometry.h"
-#include "planning/stop.h"
 
-namespace agrid::planning {
+namespace agrid {
 
 /// Squared distances beyond this one are stored as this one [px^2].
 constexpr std::int32_t kFarSquared = 0x7fffffff;
@@ -16,9 +16,10 @@ constexpr std::int32_t kFarSquared = 0x7fffffff;
 /// [px^2], exact in integers up to kFarSquared (Meijster, Roerdink and Hesselink, "A general
 /// algorithm for computing distance transforms in linear time", 2000).
 /// @param marked  row-major, as large as the map; not 0: marked
+/// @param between_rows  called every few rows; what it throws ends the work
 /// @return row-major; kFarSquared everywhere if nothing is marked
 std::vector<std::int32_t> squaredDistances(const MapGeometry& geometry,
                                            const std::vector<std::uint8_t>& marked,
-                                           const StopCheck& stop = {});
+                                           const std::function<void()>& between_rows = {});
 
-}  // namespace agrid::planning
+}  // namespace agrid

@@ -1,32 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/squared_distance.h"
+#include "map/squared_distance.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace agrid::planning {
+namespace agrid {
 namespace {
 
 constexpr std::int64_t kNone = std::numeric_limits<std::int32_t>::max();
+
+struct Progress {
+  const std::function<void()>& between_rows;
+  void row(std::size_t y) const {
+    if (y % 64 == 0 && between_rows) between_rows();
+  }
+};
 
 /// Distance to the nearest marked pixel of the same column, row by row so that memory is read in
 /// order; kNone if the column has none.
 std::vector<std::int32_t> columnDistances(const MapGeometry& geometry,
                                           const std::vector<std::uint8_t>& marked,
-                                          const StopCheck& stop) {
+                                          const Progress& progress) {
   const auto width = static_cast<std::size_t>(geometry.width);
   const auto height = static_cast<std::size_t>(geometry.height);
   constexpr auto kNoDistance = static_cast<std::int32_t>(kNone);
   std::vector<std::int32_t> distance(geometry.pixelCount());
   for (std::size_t y = 0; y < height; ++y) {
-    if (y % 64 == 0) stop.check();
+    progress.row(y);
     for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
       const std::int32_t above = y == 0 ? kNoDistance : distance[i - width];
       distance[i] = marked[i] != 0 ? 0 : above == kNoDistance ? kNoDistance : above + 1;
     }
   }
   for (std::size_t y = height - 1; y-- > 0;) {
-    if (y % 64 == 0) stop.check();
+    progress.row(y);
     for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
       const std::int32_t below = distance[i + width];
       if (below != kNoDistance) distance[i] = std::min(distance[i], below + 1);
@@ -96,15 +103,16 @@ class Envelope {
 
 std::vector<std::int32_t> squaredDistances(const MapGeometry& geometry,
                                            const std::vector<std::uint8_t>& marked,
-                                           const StopCheck& stop) {
-  std::vector<std::int32_t> result = columnDistances(geometry, marked, stop);
+                                           const std::function<void()>& between_rows) {
+  const Progress progress{between_rows};
+  std::vector<std::int32_t> result = columnDistances(geometry, marked, progress);
   const auto width = static_cast<std::size_t>(geometry.width);
   Envelope envelope(width);
-  for (int y = 0; y < geometry.height; ++y) {
-    if (y % 64 == 0) stop.check();
-    envelope.transform(result.data() + static_cast<std::size_t>(y) * width, geometry.width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(geometry.height); ++y) {
+    progress.row(y);
+    envelope.transform(result.data() + y * width, geometry.width);
   }
   return result;
 }
 
-}  // namespace agrid::planning
+}  // namespace agrid
