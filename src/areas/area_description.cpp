@@ -2,6 +2,8 @@
 #include "areas/area_description.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "areas/outline.h"
@@ -15,7 +17,7 @@ struct Measures {
   Pixel high{-1, -1};  ///< of its bounding box, both included
   std::size_t size_px = 0;
   Pixel anchor;
-  float clearance_px = 0;
+  std::int32_t squared_clearance_px = 0;
 };
 
 std::vector<Measures> measure(const OccupancyMap& map, const AreaLabels& labels) {
@@ -23,7 +25,8 @@ std::vector<Measures> measure(const OccupancyMap& map, const AreaLabels& labels)
   cv::Mat1b is_free(geometry.height, geometry.width);
   std::transform(map.pixels().begin(), map.pixels().end(), is_free.begin(),
                  [](Occupancy o) { return o == Occupancy::kFree ? 1 : 0; });
-  const cv::Mat1f distance = distanceFromWalls(is_free);
+  // squares will do, and take half the memory on the way
+  const std::vector<std::int32_t> squared = squaredDistancesFromWalls(is_free);
   std::vector<Measures> measures(labels.tags.size());
   std::size_t index = 0;
   for (int y = 0; y < geometry.height; ++y) {
@@ -34,8 +37,8 @@ std::vector<Measures> measure(const OccupancyMap& map, const AreaLabels& labels)
       m.low = {std::min(m.low.x, x), std::min(m.low.y, y)};
       m.high = {std::max(m.high.x, x), std::max(m.high.y, y)};
       ++m.size_px;
-      if (distance(y, x) <= m.clearance_px) continue;
-      m.clearance_px = distance(y, x);
+      if (squared[index] <= m.squared_clearance_px) continue;
+      m.squared_clearance_px = squared[index];
       m.anchor = {x, y};
     }
   }
@@ -72,7 +75,7 @@ std::vector<Area> describeAreas(const OccupancyMap& map, const AreaLabels& label
     area.category = tag.category;
     area.anchor_map = geometry.center(m.anchor);
     // from centre to centre; the wall begins half a pixel before
-    area.anchor_clearance = (static_cast<double>(m.clearance_px) - 0.5) * geometry.resolution;
+    area.anchor_clearance = (std::sqrt(m.squared_clearance_px) - 0.5) * geometry.resolution;
     area.outline_map = outlineOf(i, m, geometry, labels);
     area.size = static_cast<double>(m.size_px) * geometry.resolution * geometry.resolution;
     area.source = tag.source;

@@ -56,24 +56,29 @@ cv::Mat1b cleanFreeSpace(const OccupancyMap& map, const AreaParams& params) {
   return free_space;
 }
 
-cv::Mat1f distanceFromWalls(const cv::Mat1b& free_space) {
+std::vector<std::int32_t> squaredDistancesFromWalls(const cv::Mat1b& free_space) {
   // cv::distanceTransform is wrong from the 4098th column on, where floats hold no square of x
   std::vector<std::uint8_t> walls(free_space.total());
   std::transform(free_space.begin(), free_space.end(), walls.begin(),
                  [](std::uint8_t free) { return free == 0 ? 1 : 0; });
   const MapGeometry geometry{free_space.cols, free_space.rows, 1, {}};
-  const std::vector<std::int32_t> squared = squaredDistances(geometry, walls);
+  std::vector<std::int32_t> squared = squaredDistances(geometry, walls);
+  std::size_t i = 0;
+  for (int y = 0; y < geometry.height; ++y) {
+    const int beyond_y = std::min(y + 1, geometry.height - y);
+    for (int x = 0; x < geometry.width; ++x, ++i) {
+      const std::int64_t beyond = std::min({beyond_y, x + 1, geometry.width - x});
+      if (squared[i] > beyond * beyond) squared[i] = static_cast<std::int32_t>(beyond * beyond);
+    }
+  }
+  return squared;
+}
+
+cv::Mat1f distanceFromWalls(const cv::Mat1b& free_space) {
+  const std::vector<std::int32_t> squared = squaredDistancesFromWalls(free_space);
   cv::Mat1f distance(free_space.size());
   std::transform(squared.begin(), squared.end(), distance.begin(),
                  [](std::int32_t d2) { return std::sqrt(static_cast<float>(d2)); });
-  for (int y = 0; y < distance.rows; ++y) {
-    const int beyond_y = std::min(y + 1, distance.rows - y);
-    float* row = distance[y];
-    for (int x = 0; x < distance.cols; ++x) {
-      const int beyond = std::min({beyond_y, x + 1, distance.cols - x});
-      row[x] = std::min(row[x], static_cast<float>(beyond));
-    }
-  }
   return distance;
 }
 
