@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "map/squared_distance.h"
 #include "planning/path_facts.h"
 #include "planning/pixel_walk.h"
 
@@ -68,7 +69,7 @@ double pathClearancePx(const FreeSpace& free, const Obstacles& obstacles,
     const double distance = std::sqrt(candidate.squared_distance);
     const double bound = std::max(distance - kTwoHalfDiagonals, 0.0);
     if (bound >= best) break;
-    if (distance > kExactPx) return candidate.squared_distance == 0x7fffffff ? best : bound;
+    if (distance > kExactPx) return candidate.squared_distance == kFarSquared ? best : bound;
     const auto reach = static_cast<int>(std::ceil(std::min(best, distance + 1) + 2));
     const Pixel c = candidate.pixel;
     const Point2 a = coordinates(path[candidate.segment == 0 ? 0 : candidate.segment - 1]);

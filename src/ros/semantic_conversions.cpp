@@ -192,47 +192,46 @@ nav_msgs::OccupancyGrid areasToMsg(const agrid::SemanticMap& map, const std_msgs
   return msg;
 }
 
-agrid_map::Tag tagOf(const agrid::Area& area, const std_msgs::Header& header) {
+namespace {
+
+/// What areas, doors and objects have in common.
+template <typename Thing>
+agrid_map::Tag tagOfThing(const Thing& thing, std::uint8_t type, const std_msgs::Header& header) {
   agrid_map::Tag msg;
   msg.header = header;
-  msg.type = agrid_map::Tag::AREA;
-  msg.id = static_cast<std::uint32_t>(area.id);
-  msg.name = area.name;
+  msg.type = type;
+  msg.id = static_cast<std::uint32_t>(thing.id);
+  msg.name = thing.name;
+  msg.source = static_cast<std::uint8_t>(thing.source);
+  msg.properties = propertiesToMsg(thing.properties);
+  return msg;
+}
+
+}  // namespace
+
+agrid_map::Tag tagOf(const agrid::Area& area, const std_msgs::Header& header) {
+  agrid_map::Tag msg = tagOfThing(area, agrid_map::Tag::AREA, header);
   msg.category = area.category;
   msg.pose = toMsg(agrid::Pose2{area.anchor_map, 0});
-  msg.source = static_cast<std::uint8_t>(area.source);
-  msg.properties = propertiesToMsg(area.properties);
   return msg;
 }
 
 agrid_map::Tag tagOf(const agrid::Door& door, const std_msgs::Header& header) {
   const agrid::Point2 along = door.jambs_map.b - door.jambs_map.a;
-  agrid_map::Tag msg;
-  msg.header = header;
-  msg.type = agrid_map::Tag::DOOR;
-  msg.id = static_cast<std::uint32_t>(door.id);
-  msg.name = door.name;
+  agrid_map::Tag msg = tagOfThing(door, agrid_map::Tag::DOOR, header);
   // x leads through the door: at right angles to the line between the jambs
   msg.pose = toMsg(agrid::Pose2{door.jambs_map.midpoint(), std::atan2(-along.x(), along.y())});
   msg.size.y = door.width;
-  msg.source = static_cast<std::uint8_t>(door.source);
-  msg.properties = propertiesToMsg(door.properties);
   return msg;
 }
 
 agrid_map::Tag tagOf(const agrid::ObjectTag& object, const std_msgs::Header& header) {
-  agrid_map::Tag msg;
-  msg.header = header;
-  msg.type = agrid_map::Tag::OBJECT;
-  msg.id = static_cast<std::uint32_t>(object.id);
-  msg.name = object.name;
+  agrid_map::Tag msg = tagOfThing(object, agrid_map::Tag::OBJECT, header);
   msg.category = object.category;
   msg.pose = toMsg(object.pose_map);
   msg.size.x = object.size.x();
   msg.size.y = object.size.y();
   msg.size.z = object.height;
-  msg.source = static_cast<std::uint8_t>(object.source);
-  msg.properties = propertiesToMsg(object.properties);
   return msg;
 }
 
