@@ -26,12 +26,10 @@ Structure extractStructure(std::shared_ptr<const OccupancyMap> map, const Pipeli
 SemanticMap annotate(const Structure& structure, const std::vector<Tag>& given,
                      const PipelineParams& params, const StageListener& on_stage) {
   tell(on_stage, "areas");
-  std::vector<Tag> tags = given;
-  for (Tag& tag : proposeTags(*structure.map, given, params.areas)) tags.push_back(std::move(tag));
-  AreaMap area_map = segmentAreas(*structure.map, *structure.grid, tags, params.areas);
+  TaggedAreas areas = findAreas(*structure.map, *structure.grid, given, params.areas);
   tell(on_stage, "graph");
-  TopologicalGraph graph = buildGraph(area_map);
-  return {structure, std::move(tags), std::move(area_map), std::move(graph)};
+  TopologicalGraph graph = buildGraph(areas.area_map);
+  return {structure, std::move(areas.tags), std::move(areas.area_map), std::move(graph)};
 }
 
 }  // namespace agrid

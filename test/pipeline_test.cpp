@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "agrid/areas/area_segmentation.h"
 #include "agrid/evaluation/office_generator.h"
 #include "support/ascii_map.h"
 #include "support/generated_maps.h"
@@ -46,6 +47,34 @@ TEST(Pipeline, EveryCellAndPixelRefersToAnAreaThatExists) {
     ASSERT_TRUE(label == 0 || map.map().pixels()[i] == Occupancy::kFree);
   }
   EXPECT_EQ(map.graph.passages.size(), map.area_map.areas.size());
+}
+
+TEST(Pipeline, FindsTheAreasThatProposingAndGrowingFindOneAfterTheOther) {
+  const Structure structure =
+      extractStructure(std::make_shared<const OccupancyMap>(office(4)), PipelineParams());
+  AreaTag area;
+  area.seed_map = annotate(structure, {}, PipelineParams()).area_map.areas.front().anchor_map;
+  DoorTag door;
+  door.pose_map = {annotate(structure, {}, PipelineParams()).area_map.areas.back().anchor_map, 0.4};
+  for (const AreaMethod method : {AreaMethod::kPersistence, AreaMethod::kPaper}) {
+    PipelineParams params;
+    params.areas.method = method;
+    std::vector<Tag> tags{area, door};
+    const SemanticMap found = annotate(structure, tags, params);
+    for (Tag& tag : proposeTags(found.map(), tags, params.areas)) tags.push_back(std::move(tag));
+    const AreaMap expected = segmentAreas(found.map(), found.grid(), tags, params.areas);
+    EXPECT_EQ(found.tags.size(), tags.size());
+    EXPECT_EQ(found.area_map.pixel_labels, expected.pixel_labels);
+    EXPECT_EQ(found.area_map.warnings, expected.warnings);
+    ASSERT_EQ(found.area_map.areas.size(), expected.areas.size());
+    for (std::size_t i = 0; i < expected.areas.size(); ++i) {
+      EXPECT_EQ(found.area_map.areas[i].id, expected.areas[i].id);
+    }
+    ASSERT_EQ(found.area_map.doors.size(), expected.doors.size());
+    for (std::size_t i = 0; i < expected.doors.size(); ++i) {
+      EXPECT_EQ(found.area_map.doors[i].jambs_map.a, expected.doors[i].jambs_map.a);
+    }
+  }
 }
 
 TEST(Pipeline, TheSameInputGivesTheSameResult) {

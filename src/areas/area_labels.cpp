@@ -10,7 +10,6 @@
 
 #include "areas/paper_watershed.h"
 #include "areas/seeded_flood.h"
-#include "tags/persistence.h"
 #include "tags/pixel_neighbours.h"
 
 namespace agrid {
@@ -124,27 +123,21 @@ void nameAreas(std::vector<AreaTag>& tags) {
   }
 }
 
-std::vector<std::uint32_t> floodRelief(const Relief& relief, const std::vector<std::size_t>& seeds,
-                                       const AreaParams& params, const MapGeometry& geometry) {
-  Basins basins = findBasins(relief.height);
-  const auto area_of = mergeByPersistence(basins, geometry.resolution, params);
-  return floodFromSeeds(std::move(basins), area_of, seeds, geometry.width);
-}
-
 int openingSide(const AreaParams& params, const MapGeometry& geometry) {
   return static_cast<int>(std::lround(params.passages.opening / geometry.resolution));
 }
 
 }  // namespace
 
-AreaLabels growAreas(const OccupancyMap& map, const Relief& relief, const std::vector<Tag>& tags,
-                     const AreaParams& params) {
+AreaLabels growAreas(const OccupancyMap& map, const Relief& relief, Division division,
+                     const std::vector<Tag>& tags, const AreaParams& params) {
   AreaLabels labels;
   const MapGeometry& geometry = map.geometry();
   const auto seeds = acceptSeeds(numberTags(tags), relief, geometry, labels);
-  labels.of_pixel = params.method == AreaMethod::kPaper
-                        ? floodContours(relief.free_space, seeds, openingSide(params, geometry))
-                        : floodRelief(relief, seeds, params, geometry);
+  labels.of_pixel =
+      params.method == AreaMethod::kPaper
+          ? floodContours(relief.free_space, seeds, openingSide(params, geometry))
+          : floodFromSeeds(std::move(division.basins), division.area_of, seeds, geometry.width);
   std::vector<std::size_t> doorways;
   for (const Barrier& barrier : relief.barriers) {
     doorways.insert(doorways.end(), barrier.pixels.begin(), barrier.pixels.end());

@@ -8,6 +8,7 @@
 #include "agrid/map/occupancy_map.h"
 #include "agrid/tags/tag.h"
 #include "tags/basins.h"
+#include "tags/division.h"
 #include "tags/relief.h"
 
 namespace agrid {
@@ -23,8 +24,9 @@ struct AreaLabels {
 
 /// Grows an area from each usable area tag (paper, 3.2), with the doors of `relief` closed, then
 /// opens the doors again: each pixel of a barrier goes to the area beside it.
+/// @param division  of `relief`
 /// @throws std::invalid_argument if two area tags have the same id
-AreaLabels growAreas(const OccupancyMap& map, const Relief& relief, const std::vector<Tag>& tags,
-                     const AreaParams& params);
+AreaLabels growAreas(const OccupancyMap& map, const Relief& relief, Division division,
+                     const std::vector<Tag>& tags, const AreaParams& params);
 
 }  // namespace agrid

@@ -10,7 +10,10 @@
 #include "areas/area_labels.h"
 #include "areas/cell_labels.h"
 #include "areas/door_extraction.h"
+#include "tags/area_seeds.h"
+#include "tags/division.h"
 #include "tags/relief.h"
+#include "tags/tag_numbering.h"
 
 namespace agrid {
 namespace {
@@ -36,14 +39,8 @@ std::string whyThereAreNoAreas(const OccupancyMap& map, const Relief& relief) {
   return "there are no areas: no area tag lies in free space";
 }
 
-}  // namespace
-
-AreaMap segmentAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& tags,
-                     const AreaParams& params) {
-  validate(params);
-  const Relief relief = makeRelief(map, tags, params);
-  const AreaLabels labels = growAreas(map, relief, tags, params);
-
+AreaMap describe(const OccupancyMap& map, const AGrid& grid, const Relief& relief,
+                 const AreaLabels& labels, const AreaParams& params) {
   AreaMap result;
   result.warnings = relief.warnings;
   result.warnings.insert(result.warnings.end(), labels.warnings.begin(), labels.warnings.end());
@@ -53,6 +50,35 @@ AreaMap segmentAreas(const OccupancyMap& map, const AGrid& grid, const std::vect
   for (Door& door : result.doors) door.cells = cellsOnSegment(grid, door.jambs_map);
   result.pixel_labels = labelsOnFreePixels(map, labels);
   result.cell_areas = labelCells(grid, map.geometry(), result.pixel_labels, result.areas);
+  return result;
+}
+
+}  // namespace
+
+AreaMap segmentAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& tags,
+                     const AreaParams& params) {
+  validate(params);
+  const Relief relief = makeRelief(map, tags, params);
+  Division division = divide(relief, map.geometry().resolution, params);
+  const AreaLabels labels = growAreas(map, relief, std::move(division), tags, params);
+  return describe(map, grid, relief, labels, params);
+}
+
+TaggedAreas findAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& given,
+                      const AreaParams& params) {
+  TaggedAreas result;
+  result.tags = given;
+  if (params.method == AreaMethod::kPaper) {  // its doors change the relief
+    for (Tag& tag : proposeTags(map, given, params)) result.tags.push_back(std::move(tag));
+    result.area_map = segmentAreas(map, grid, result.tags, params);
+    return result;
+  }
+  validate(params);
+  const Relief relief = makeRelief(map, given, params);
+  Division division = divide(relief, map.geometry().resolution, params);
+  addNumbered(proposeSeeds(relief, division, map.geometry(), given, params), given, result.tags);
+  const AreaLabels labels = growAreas(map, relief, std::move(division), result.tags, params);
+  result.area_map = describe(map, grid, relief, labels, params);
   return result;
 }
 

@@ -6,28 +6,23 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "tags/persistence.h"
-
 namespace agrid {
+namespace {
 
-std::vector<Pixel> findPeaks(const Relief& relief, const std::vector<Pixel>& given,
-                             double resolution, const AreaParams& params) {
-  const Basins basins = findBasins(relief.height);
-  const auto area_of = mergeByPersistence(basins, resolution, params);
-  const auto columns = static_cast<std::size_t>(relief.height.cols);
+std::vector<Pixel> findPeaks(const Division& division, const MapGeometry& geometry,
+                             const std::vector<Pixel>& given, const AreaParams& params) {
+  const Basins& basins = division.basins;
   std::vector<bool> is_given(basins.basins.size(), false);
   for (const Pixel p : given) {
-    const auto i = static_cast<std::size_t>(p.y) * columns + static_cast<std::size_t>(p.x);
-    const std::uint32_t basin = basins.of_pixel[i];
-    if (basin != Basins::kNone) is_given[area_of[basin]] = true;
+    const std::uint32_t basin = basins.of_pixel[geometry.index(p)];
+    if (basin != Basins::kNone) is_given[division.area_of[basin]] = true;
   }
   std::vector<Pixel> peaks;
   for (std::size_t i = 0; i < basins.basins.size(); ++i) {
     const Basin& basin = basins.basins[i];
-    if (area_of[i] != i || is_given[i]) continue;
-    if (basin.height * resolution < params.min_area_clearance) continue;
-    const std::size_t peak = basin.peak;
-    peaks.push_back({static_cast<int>(peak % columns), static_cast<int>(peak / columns)});
+    if (division.area_of[i] != i || is_given[i]) continue;
+    if (basin.height * geometry.resolution < params.min_area_clearance) continue;
+    peaks.push_back(geometry.pixel(basin.peak));
   }
   return peaks;
 }
@@ -59,6 +54,30 @@ std::vector<Pixel> findCentroids(const Relief& relief, const std::vector<Pixel>&
     if (nearest[i] != kGiven) result.push_back(seeds[i]);
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<AreaTag> proposeSeeds(const Relief& relief, const Division& division,
+                                  const MapGeometry& geometry, const std::vector<Tag>& tags,
+                                  const AreaParams& params) {
+  std::vector<Pixel> given;
+  for (const Tag& tag : tags) {
+    const auto* area = std::get_if<AreaTag>(&tag);
+    if (const auto pixel = area ? geometry.pixelAt(area->seed_map) : std::nullopt) {
+      given.push_back(*pixel);
+    }
+  }
+  const auto pixels = params.method == AreaMethod::kPaper
+                          ? findCentroids(relief, given)
+                          : findPeaks(division, geometry, given, params);
+  std::vector<AreaTag> seeds;
+  for (const Pixel pixel : pixels) {
+    AreaTag seed;
+    seed.seed_map = geometry.center(pixel);
+    seeds.push_back(seed);
+  }
+  return seeds;
 }
 
 }  // namespace agrid

@@ -5,18 +5,17 @@
 
 #include "agrid/map/map_geometry.h"
 #include "agrid/tags/tag_proposal.h"
+#include "tags/division.h"
 #include "tags/relief.h"
 
 namespace agrid {
 
-/// The highest peak of each area by mergeByPersistence, without those that hold a pixel of `given`
-/// and those too narrow to be entered.
-std::vector<Pixel> findPeaks(const Relief& relief, const std::vector<Pixel>& given,
-                             double resolution, const AreaParams& params);
-
-/// For each portion of the free space that the contours close, its pixel nearest to its centroid
-/// (paper, 3.2), without those that hold a pixel of `given`. The paper takes the centroid itself,
-/// which lies outside its portion in corridors that bend.
-std::vector<Pixel> findCentroids(const Relief& relief, const std::vector<Pixel>& given);
+/// A seed for each area that holds none of the area tags among `tags`. Its place is the highest
+/// peak of the area, unless that is too narrow to be entered; with AreaMethod::kPaper it is the
+/// pixel of a portion of the free space nearest to the portion's centroid (paper, 3.2: the centroid
+/// itself lies outside portions that bend).
+std::vector<AreaTag> proposeSeeds(const Relief& relief, const Division& division,
+                                  const MapGeometry& geometry, const std::vector<Tag>& tags,
+                                  const AreaParams& params);
 
 }  // namespace agrid

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "agrid/tags/tag_proposal.h"
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -9,9 +8,11 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tags/area_seeds.h"
+#include "tags/division.h"
 #include "tags/narrow_passages.h"
 #include "tags/pixel_neighbours.h"
 #include "tags/relief.h"
+#include "tags/tag_numbering.h"
 
 namespace agrid {
 namespace {
@@ -59,55 +60,6 @@ std::vector<DoorTag> proposeDoors(const OccupancyMap& map, const std::vector<Tag
   return doors;
 }
 
-std::vector<AreaTag> proposeSeeds(const OccupancyMap& map, const std::vector<Tag>& tags,
-                                  const AreaParams& params) {
-  const MapGeometry& geometry = map.geometry();
-  std::vector<Pixel> given;
-  for (const Tag& tag : tags) {
-    const auto* area = std::get_if<AreaTag>(&tag);
-    if (const auto pixel = area ? geometry.pixelAt(area->seed_map) : std::nullopt) {
-      given.push_back(*pixel);
-    }
-  }
-  const Relief relief = makeRelief(map, tags, params);
-  const auto pixels = params.method == AreaMethod::kPaper
-                          ? findCentroids(relief, given)
-                          : findPeaks(relief, given, geometry.resolution, params);
-  std::vector<AreaTag> seeds;
-  for (const Pixel pixel : pixels) {
-    AreaTag seed;
-    seed.seed_map = geometry.center(pixel);
-    seeds.push_back(seed);
-  }
-  return seeds;
-}
-
-const Point2& placeOf(const AreaTag& tag) { return tag.seed_map; }
-const Point2& placeOf(const DoorTag& tag) { return tag.pose_map.position; }
-
-/// Adds the proposals to `tags` as a reader meets them, from the top, then from the left, with the
-/// lowest ids that `given` does not use.
-template <typename T>
-void number(std::vector<T> proposals, const std::vector<Tag>& given, std::vector<Tag>& tags) {
-  std::stable_sort(proposals.begin(), proposals.end(), [](const T& a, const T& b) {
-    const Point2& p = placeOf(a);
-    const Point2& q = placeOf(b);
-    return p.y() != q.y() ? p.y() > q.y() : p.x() < q.x();
-  });
-  using Id = decltype(T::id);
-  std::set<Id> used;
-  for (const Tag& tag : given) {
-    if (const auto* same_kind = std::get_if<T>(&tag)) used.insert(same_kind->id);
-  }
-  std::uint32_t id = 0;
-  for (T& proposal : proposals) {
-    do {
-      proposal.id = Id{++id};
-    } while (used.count(proposal.id) > 0);
-    tags.emplace_back(std::move(proposal));
-  }
-}
-
 }  // namespace
 
 std::vector<Tag> proposeTags(const OccupancyMap& map, const std::vector<Tag>& given,
@@ -115,11 +67,13 @@ std::vector<Tag> proposeTags(const OccupancyMap& map, const std::vector<Tag>& gi
   validate(params);
   std::vector<Tag> proposed;
   if (params.method == AreaMethod::kPaper) {
-    number(proposeDoors(map, given, params), given, proposed);
+    addNumbered(proposeDoors(map, given, params), given, proposed);
   }
   std::vector<Tag> known = given;
   known.insert(known.end(), proposed.begin(), proposed.end());
-  number(proposeSeeds(map, known, params), given, proposed);
+  const Relief relief = makeRelief(map, known, params);
+  const Division division = divide(relief, map.geometry().resolution, params);
+  addNumbered(proposeSeeds(relief, division, map.geometry(), known, params), given, proposed);
   return proposed;
 }
 

@@ -17,4 +17,17 @@ namespace agrid {
 AreaMap segmentAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& tags,
                      const AreaParams& params = {});
 
+/// Areas with the tags they grew from.
+struct TaggedAreas {
+  std::vector<Tag> tags;  ///< the given ones, then the proposed ones
+  AreaMap area_map;
+};
+
+/// The same areas as proposeTags and segmentAreas one after the other, in less time: what both
+/// look at is made once.
+/// @param given  what people and robots said
+/// @throws std::invalid_argument if a parameter is out of range
+TaggedAreas findAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& given,
+                      const AreaParams& params = {});
+
 }  // namespace agrid
