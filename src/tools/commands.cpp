@@ -10,7 +10,9 @@
 namespace agrid::tools {
 namespace {
 
-std::vector<Command> allCommands() { return {convertCommand(), generateCommand(), planCommand()}; }
+std::vector<Command> allCommands() {
+  return {convertCommand(), generateCommand(), planCommand(), evalCommand()};
+}
 
 std::string toolHelp(const std::vector<Command>& commands) {
   std::string text =

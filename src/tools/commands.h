@@ -23,6 +23,7 @@ struct Command {
 };
 
 Command convertCommand();   ///< map -> areas, doors, graph and their pictures
+Command evalCommand();      ///< scores areas and doors against rooms drawn by people
 Command generateCommand();  ///< draws an office
 Command planCommand();      ///< answers start-goal pairs
 

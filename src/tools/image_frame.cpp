@@ -13,6 +13,12 @@ Point2 imagePoint(const Point2& point_map, const MapGeometry& geometry) {
   return {q.x() - 0.5, geometry.height - 0.5 - q.y()};
 }
 
+Point2 mapPoint(const Point2& image_px, const MapGeometry& geometry) {
+  return geometry.map_from_image *
+         Point2((image_px.x() + 0.5) * geometry.resolution,
+                (geometry.height - 0.5 - image_px.y()) * geometry.resolution);
+}
+
 cv::Mat labelImage(const std::vector<std::uint16_t>& labels, const MapGeometry& geometry) {
   cv::Mat image(geometry.height, geometry.width, CV_16UC1);
   for (int y = 0; y < image.rows; ++y) {

@@ -15,6 +15,9 @@ namespace agrid::tools {
 /// from the top row.
 Point2 imagePoint(const Point2& point_map, const MapGeometry& geometry);
 
+/// The way back: a point in pixels of the map's image, in the map frame [m].
+Point2 mapPoint(const Point2& image_px, const MapGeometry& geometry);
+
 /// Labels per pixel (row 0 = smallest y) as a 16-bit image whose row 0 is the top.
 cv::Mat labelImage(const std::vector<std::uint16_t>& labels, const MapGeometry& geometry);
 

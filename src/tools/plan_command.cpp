@@ -40,12 +40,6 @@ std::string pathCsv(const Plan& plan, const MapGeometry& geometry) {
   return csv;
 }
 
-Point2 mapPoint(const Point2& image_px, const MapGeometry& geometry) {
-  return geometry.map_from_image *
-         Point2((image_px.x() + 0.5) * geometry.resolution,
-                (geometry.height - 0.5 - image_px.y()) * geometry.resolution);
-}
-
 PlannerParams plannerParams(const Arguments& arguments) {
   PlannerParams params;
   params.robot_radius = arguments.numberOr("robot-radius", params.robot_radius, 0, 1e6);

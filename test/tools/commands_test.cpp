@@ -45,7 +45,7 @@ TEST(Commands, HelpListsTheCommands) {
 }
 
 TEST(Commands, EveryCommandHasHelp) {
-  for (const char* command : {"convert", "generate", "plan"}) {
+  for (const char* command : {"convert", "generate", "plan", "eval"}) {
     const Outcome help = runTool({command, "--help"});
     EXPECT_EQ(help.code, kDone);
     EXPECT_EQ(help.out.find(std::string("usage: agrid_map_tool ") + command), 0U);
@@ -79,6 +79,9 @@ TEST(Commands, F28_WrongUsageGoesToStandardErrorWith64) {
       {"generate", "-o", "out", "--size", "many"},
       {"generate", "-o", "out", "--seed", "-1"},
       {"generate", "-o", "out", "--no-noise=1"},
+      {"eval"},
+      {"eval", "maps", "--threads", "0"},
+      {"eval", "maps", "--method", "guess"},
   };
   for (const auto& arguments : wrong) {
     const Outcome outcome = runTool(arguments);
