@@ -8,6 +8,7 @@
 
 #include "areas/area_description.h"
 #include "areas/area_labels.h"
+#include "areas/category_guess.h"
 #include "areas/cell_labels.h"
 #include "areas/door_extraction.h"
 #include "tags/area_seeds.h"
@@ -47,6 +48,7 @@ AreaMap describe(const OccupancyMap& map, const AGrid& grid, const Relief& relie
   result.areas = describeAreas(map, labels);
   if (result.areas.empty()) result.warnings.push_back(whyThereAreNoAreas(map, relief));
   result.doors = findDoors(labels, relief, map.geometry(), params, result.warnings);
+  guessCategories(labels, relief, map.geometry().resolution, result.doors, result.areas);
   for (Door& door : result.doors) door.cells = cellsOnSegment(grid, door.jambs_map);
   result.pixel_labels = labelsOnFreePixels(map, labels);
   result.cell_areas = labelCells(grid, map.geometry(), result.pixel_labels, result.areas);

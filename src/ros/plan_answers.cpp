@@ -24,7 +24,7 @@ agrid::PlanPoint robotPoint(const Ground& ground) {
 
 /// Where a named start lies: an area's anchor, an object's centre.
 agrid::PlanPoint namedStart(const Ground& ground, const std::string& name) {
-  const std::vector<Thing> things = findThings(*ground.snapshot.map, name, {});
+  const std::vector<Thing> things = findThings(*ground.snapshot.map, name, {}).things;
   if (things.size() > 1) {
     throw RequestError(Status::START_INVALID, "'" + printable(name) + "' means " +
                                                   std::to_string(things.size()) +
@@ -59,9 +59,11 @@ agrid::Plan planPathTo(const Ground& ground, const agrid_map::PlanPath::Request&
     wanted.goal = ground.frames.planPoint(request.goal);
     return ground.snapshot.planner->plan(wanted);
   }
-  const std::vector<Thing> things =
-      findThings(*ground.snapshot.map, request.goal_name, {false, true});
-  return planToNearest(*ground.snapshot.planner, things, wanted, request.goal_at_anchor);
+  const FoundThings found = findThings(*ground.snapshot.map, request.goal_name, {false, true});
+  agrid::Plan plan =
+      planToNearest(*ground.snapshot.planner, found.things, wanted, request.goal_at_anchor);
+  plan.message = withRemark(found, plan.message);
+  return plan;
 }
 
 }  // namespace
@@ -78,8 +80,9 @@ agrid_map::PlanAreas::Response answerPlanAreas(const Ground& ground,
     wanted.goal = ground.frames.planPoint(request.goal_pose);
     list = snapshot.planner->routes(wanted, request.max_routes);
   } else {
-    const std::vector<Thing> things = findThings(*snapshot.map, request.goal, {false, true});
-    list = routesToNearest(*snapshot.planner, things, wanted, request.max_routes);
+    const FoundThings found = findThings(*snapshot.map, request.goal, {false, true});
+    list = routesToNearest(*snapshot.planner, found.things, wanted, request.max_routes);
+    list.message = withRemark(found, list.message);
   }
   agrid_map::PlanAreas::Response response;
   response.status = statusOf(list.status, list.message);

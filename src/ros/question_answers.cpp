@@ -58,7 +58,8 @@ agrid_map::WhereIs::Response answerWhereIs(const Ground& ground,
   }
   agrid_map::WhereIs::Response response;
   std::vector<Match> matches;
-  for (const Thing& thing : findThings(*snapshot.map, request.name, {true, true})) {
+  const FoundThings found = findThings(*snapshot.map, request.name, {true, true});
+  for (const Thing& thing : found.things) {
     Match match{thing};
     const agrid::Plan plan = snapshot.planner->plan(requestTo(thing, wanted, false));
     if (plan.status == agrid::PlanStatus::kSuccess) {
@@ -68,6 +69,7 @@ agrid_map::WhereIs::Response answerWhereIs(const Ground& ground,
     }
     matches.push_back(match);
   }
+  response.status.message = withRemark(found, response.status.message);
   std::stable_sort(matches.begin(), matches.end(),
                    [](const Match& a, const Match& b) { return a.distance < b.distance; });
   for (const Match& match : matches) {

@@ -95,6 +95,7 @@ agrid_map::Area toMsg(const agrid::Area& area) {
   msg.size = area.size;
   msg.source = static_cast<std::uint8_t>(area.source);
   msg.properties = propertiesToMsg(area.properties);
+  msg.category_guess = area.category_guess;
   return msg;
 }
 
@@ -110,6 +111,7 @@ agrid::Area fromMsg(const agrid_map::Area& msg) {
   area.size = msg.size;
   area.source = enumFrom(msg.source, agrid::TagSource::kInteraction, "source");
   area.properties = propertiesFromMsg(msg.properties);
+  area.category_guess = msg.category_guess;
   return area;
 }
 

@@ -19,6 +19,7 @@ struct Called {
   Thing thing;
   std::vector<std::string> names;  // its name first, then the aliases
   std::string category;
+  std::string guess;  ///< of an area whose category nobody gave
 };
 
 std::vector<std::string> namesOf(const std::string& name, const agrid::Properties& properties) {
@@ -37,16 +38,17 @@ std::vector<std::string> namesOf(const std::string& name, const agrid::Propertie
 std::vector<Called> allThings(const agrid::SemanticMap& map, const LookupScope& scope) {
   std::vector<Called> things;
   for (const agrid::Area& area : map.area_map.areas) {
-    things.push_back({&area, namesOf(area.name, area.properties), area.category});
+    things.push_back({&area, namesOf(area.name, area.properties), area.category,
+                      area.category.empty() ? area.category_guess : std::string()});
   }
   for (const agrid::Tag& tag : map.tags) {
     if (const auto* object = std::get_if<agrid::ObjectTag>(&tag)) {
-      things.push_back({object, namesOf(object->name, object->properties), object->category});
+      things.push_back({object, namesOf(object->name, object->properties), object->category, {}});
     }
   }
   if (!scope.doors) return things;
   for (const agrid::Door& door : map.area_map.doors) {
-    things.push_back({&door, namesOf(door.name, door.properties), {}});
+    things.push_back({&door, namesOf(door.name, door.properties), {}, {}});
   }
   return things;
 }
@@ -77,6 +79,7 @@ void requireName(const std::string& word) {
     std::copy_if(called.names.begin(), called.names.end(), std::back_inserter(known),
                  [](const std::string& name) { return !name.empty(); });
     if (scope.categories && !called.category.empty()) known.push_back(called.category);
+    if (scope.categories && !called.guess.empty()) known.push_back(called.guess);
   }
   const std::vector<std::string> closest = closestNames(word, known);
   throw RequestError(agrid_map::Status::UNKNOWN_NAME,
@@ -87,8 +90,8 @@ void requireName(const std::string& word) {
 
 }  // namespace
 
-std::vector<Thing> findThings(const agrid::SemanticMap& map, const std::string& word,
-                              const LookupScope& scope) {
+FoundThings findThings(const agrid::SemanticMap& map, const std::string& word,
+                       const LookupScope& scope) {
   requireName(word);
   const std::vector<Called> things = allThings(map, scope);
   for (const auto form : {&asWritten, &lowerCase}) {
@@ -97,17 +100,25 @@ std::vector<Thing> findThings(const agrid::SemanticMap& map, const std::string& 
       return std::any_of(called.names.begin(), called.names.end(),
                          [&](const std::string& name) { return form(name) == wanted; });
     });
-    if (!found.empty()) return found;
+    if (!found.empty()) return {found, {}};
     if (!scope.categories) continue;
     found = select(things, [&](const Called& called) { return form(called.category) == wanted; });
-    if (!found.empty()) return found;
+    if (!found.empty()) return {found, {}};
   }
-  const auto found = select(things, [&](const Called& called) {
+  auto found = select(things, [&](const Called& called) {
     const auto* area = std::get_if<const agrid::Area*>(&called.thing);
     return area && std::to_string(static_cast<std::uint32_t>((*area)->id)) == word;
   });
+  if (!found.empty()) return {found, {}};
+  if (scope.categories) {
+    found = select(things, [&](const Called& called) { return called.guess == lowerCase(word); });
+  }
   if (found.empty()) throwUnknown(things, word, scope);
-  return found;
+  return {found, "'" + printable(word) + "' is a guess from the shape: nothing was tagged so"};
+}
+
+std::string withRemark(const FoundThings& found, const std::string& message) {
+  return found.remark + (found.remark.empty() || message.empty() ? "" : "; ") + message;
 }
 
 }  // namespace agrid_map_ros

@@ -18,12 +18,23 @@ struct LookupScope {
   bool categories = false;
 };
 
+/// The things meant by a word.
+struct FoundThings {
+  std::vector<Thing> things;
+  std::string remark;  ///< what the asker should know about them; empty: nothing
+};
+
 /// The things meant by a word: those of that name or alias, as written or else whatever the case;
-/// or else those of that category; or else the area with that number as its id. An alias is a
-/// property of that key, several being separated by commas.
+/// or else those of that category; or else the area with that number as its id; or else, where a
+/// category may be given, the areas that nobody gave a category and whose guessed one it is, with a
+/// remark that says so. An alias is a property of that key, several being separated by commas.
 /// @throws RequestError INVALID_REQUEST if the word is empty, longer than 256 bytes or holds a
 ///         control character; UNKNOWN_NAME, with the closest names, if nothing is meant
-std::vector<Thing> findThings(const agrid::SemanticMap& map, const std::string& word,
-                              const LookupScope& scope);
+FoundThings findThings(const agrid::SemanticMap& map, const std::string& word,
+                       const LookupScope& scope);
+
+/// The remark on what was found and a message about what became of it, either of which may be
+/// empty.
+std::string withRemark(const FoundThings& found, const std::string& message);
 
 }  // namespace agrid_map_ros

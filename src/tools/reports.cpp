@@ -44,6 +44,7 @@ Json areaJson(const Area& area) {
   return {{"id", number(area.id)},
           {"name", area.name},
           {"category", area.category},
+          {"category_guess", area.category_guess},
           {"anchor", point(area.anchor_map)},
           {"anchor_clearance", rounded(area.anchor_clearance)},
           {"size", rounded(area.size)},

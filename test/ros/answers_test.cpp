@@ -170,6 +170,32 @@ TEST_F(Answers, GoalByCategoryIsTheNearestOfIt) {
   EXPECT_EQ(response.length, 0);
 }
 
+TEST_F(Answers, GoalByGuessedCategorySaysSo) {
+  auto map = std::make_shared<agrid::SemanticMap>(*snapshot_.map);
+  for (agrid::Area& area : map->area_map.areas) area.category.clear();
+  snapshot_.map = map;
+  agrid_map::PlanPath::Request path;
+  path.start = at(2.5, 3.5);
+  path.goal_name = "room";
+  const auto by_path = answerPlanPath(ground_, path);
+  ASSERT_EQ(by_path.status.code, int{Status::SUCCESS}) << by_path.status.message;
+  EXPECT_EQ(by_path.route.names.back(), areaAt(2.5, 3.5));
+  EXPECT_NE(by_path.status.message.find("guess"), std::string::npos);
+  agrid_map::PlanAreas::Request areas;
+  areas.start_pose = at(2.5, 3.5);
+  areas.goal = "room";
+  EXPECT_NE(answerPlanAreas(ground_, areas).status.message.find("guess"), std::string::npos);
+  agrid_map::WhereIs::Request where;
+  where.start = at(2.5, 3.5);
+  where.name = "room";
+  const auto found = answerWhereIs(ground_, where);
+  ASSERT_EQ(found.matches.size(), 3U);
+  EXPECT_EQ(found.matches[0].category, "");
+  // the third cannot be reached, and the message tells both
+  EXPECT_NE(found.status.message.find("guess"), std::string::npos);
+  EXPECT_NE(found.status.message.find("; "), std::string::npos);
+}
+
 TEST_F(Answers, AreasByNameAndByPose) {
   agrid_map::PlanAreas::Request request;
   request.start = areaAt(2.5, 3.5);

@@ -81,10 +81,12 @@ TEST(Conversions, AreaThereAndBack) {
   agrid::Area area = test::twoRooms().area_map.areas[0];
   area.properties = {{"floor", "2"}, {"alias", "lobby"}};
   area.source = agrid::TagSource::kInteraction;
+  area.category_guess = "hall";
   const agrid::Area back = fromMsg(toMsg(area));
   EXPECT_EQ(back.id, area.id);
   EXPECT_EQ(back.name, area.name);
   EXPECT_EQ(back.category, area.category);
+  EXPECT_EQ(back.category_guess, "hall");
   EXPECT_EQ(back.anchor_map, area.anchor_map);
   EXPECT_EQ(back.outline_map, area.outline_map);
   EXPECT_EQ(back.size, area.size);

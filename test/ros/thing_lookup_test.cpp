@@ -21,7 +21,7 @@ class ThingLookup : public testing::Test {
   std::string find(const std::string& word, const LookupScope& scope = {true, true}) {
     std::string result;
     try {
-      for (const Thing& thing : findThings(map_, word, scope)) result += nameOf(thing) + ";";
+      for (const Thing& thing : findThings(map_, word, scope).things) result += nameOf(thing) + ";";
     } catch (const RequestError& error) {
       return std::to_string(error.code()) + " " + error.what();
     }
@@ -54,6 +54,28 @@ TEST_F(ThingLookup, ByCategoryOnlyWhereAsked) {
   EXPECT_EQ(find("corridor"), "hall;");
   EXPECT_EQ(find("Appliance"), "fridge;");
   EXPECT_EQ(find("corridor", {true, false}).front(), '4');
+}
+
+TEST_F(ThingLookup, ByGuessedCategoryWhereNobodyGaveOne) {
+  map_.area_map.areas[0].category_guess = "room";  // its given category is 'corridor'
+  map_.area_map.areas[1].category_guess = "room";
+  EXPECT_EQ(find("Room"), "Kitchen;");
+  EXPECT_EQ(find("room", {true, false}).front(), '4');
+  map_.area_map.areas[1].category_guess = "corridor";
+  EXPECT_EQ(find("corridor"), "hall;");
+  EXPECT_EQ(find("room").front(), '4');
+  EXPECT_NE(find("corridors").find("are: corridor"), std::string::npos);
+}
+
+TEST_F(ThingLookup, SaysThatACategoryIsAGuess) {
+  map_.area_map.areas[1].category_guess = "room";
+  const FoundThings guessed = findThings(map_, "room", {true, true});
+  EXPECT_NE(guessed.remark.find("guess"), std::string::npos);
+  EXPECT_EQ(withRemark(guessed, ""), guessed.remark);
+  EXPECT_EQ(withRemark(guessed, "why"), guessed.remark + "; why");
+  const FoundThings given = findThings(map_, "corridor", {true, true});
+  EXPECT_EQ(withRemark(given, "why"), "why");
+  EXPECT_EQ(withRemark(given, ""), "");
 }
 
 TEST_F(ThingLookup, DoorsOnlyWhereAsked) { EXPECT_EQ(find("pass", {false, true}).front(), '4'); }

@@ -16,7 +16,8 @@ namespace agrid {
 struct Area {
   AreaId id{};
   std::string name;
-  std::string category;
+  std::string category;        ///< as given by a person or robot; empty: none is
+  std::string category_guess;  ///< "corridor", "room", "hall" or "closet", from its geometry alone
   Point2 anchor_map = Point2::Zero();  ///< free point of the area farthest from its walls [m]
   double anchor_clearance = 0;         ///< distance of the anchor from the nearest wall [m]
   Polygon outline_map;                 ///< outer boundary
