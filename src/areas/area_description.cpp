@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "areas/outline.h"
-#include "tags/free_space.h"
+#include "map/squared_distance.h"
 
 namespace agrid {
 namespace {
@@ -20,28 +20,34 @@ struct Measures {
   std::int32_t squared_clearance_px = 0;
 };
 
-std::vector<Measures> measure(const OccupancyMap& map, const AreaLabels& labels) {
-  const MapGeometry& geometry = map.geometry();
-  cv::Mat1b is_free(geometry.height, geometry.width);
-  std::transform(map.pixels().begin(), map.pixels().end(), is_free.begin(),
-                 [](Occupancy o) { return o == Occupancy::kFree ? 1 : 0; });
-  // squares will do, and take half the memory on the way
-  const std::vector<std::int32_t> squared = squaredDistancesFromWalls(is_free);
-  std::vector<Measures> measures(labels.tags.size());
-  std::size_t index = 0;
-  for (int y = 0; y < geometry.height; ++y) {
-    for (int x = 0; x < geometry.width; ++x, ++index) {
-      const std::uint32_t label = labels.of_pixel[index];
-      if (label == AreaLabels::kNone || is_free(y, x) == 0) continue;
-      Measures& m = measures[label];
-      m.low = {std::min(m.low.x, x), std::min(m.low.y, y)};
-      m.high = {std::max(m.high.x, x), std::max(m.high.y, y)};
-      ++m.size_px;
-      if (squared[index] <= m.squared_clearance_px) continue;
-      m.squared_clearance_px = squared[index];
-      m.anchor = {x, y};
-    }
+/// Adds a row of the map; rows come from the last to the first.
+void addRow(const OccupancyMap& map, const AreaLabels& labels, int y, const std::int32_t* squared,
+            std::vector<Measures>& measures) {
+  const std::size_t first = map.geometry().index({0, y});
+  const Occupancy* pixels = map.pixels().data() + first;
+  const std::uint32_t* row = labels.of_pixel.data() + first;
+  for (int x = 0; x < map.geometry().width; ++x) {
+    if (row[x] == AreaLabels::kNone || pixels[x] != Occupancy::kFree) continue;
+    Measures& m = measures[row[x]];
+    m.low = {std::min(m.low.x, x), y};
+    m.high = {std::max(m.high.x, x), std::max(m.high.y, y)};
+    ++m.size_px;
+    const std::int32_t highest = m.squared_clearance_px;
+    // of equal ones the first in row-major order
+    if (squared[x] < highest || (squared[x] == highest && m.anchor.y == y)) continue;
+    m.squared_clearance_px = squared[x];
+    m.anchor = {x, y};
   }
+}
+
+std::vector<Measures> measure(const OccupancyMap& map, const AreaLabels& labels) {
+  static_assert(static_cast<int>(Occupancy::kFree) == 0 && sizeof(Occupancy) == 1,
+                "any other value marks an obstacle");
+  std::vector<Measures> measures(labels.tags.size());
+  forEachRowOfSquaredDistances(
+      map.geometry(), reinterpret_cast<const std::uint8_t*>(map.pixels().data()),
+      Surroundings::kMarked,
+      [&](int y, const std::int32_t* squared) { addRow(map, labels, y, squared, measures); });
   return measures;
 }
 
@@ -51,7 +57,8 @@ Polygon outlineOf(std::uint32_t label, const Measures& m, const MapGeometry& geo
   cv::Mat1b shape(box.size());
   for (int y = 0; y < box.height; ++y) {
     const std::uint32_t* row = &labels.of_pixel[geometry.index({box.x, box.y + y})];
-    for (int x = 0; x < box.width; ++x) shape(y, x) = row[x] == label ? 1 : 0;
+    std::transform(row, row + box.width, shape[y],
+                   [&](std::uint32_t l) { return l == label ? 1 : 0; });
   }
   Polygon outline = traceOutline(shape);
   for (Point2& corner : outline) {

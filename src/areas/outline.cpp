@@ -8,26 +8,32 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "tags/pixel_runs.h"
+
 namespace agrid {
 namespace {
 
 constexpr double kTolerancePx = 1;
 
-cv::Mat1b largestPart(const cv::Mat1b& shape) {
-  cv::Mat1i labels;
-  cv::Mat1i stats;
-  cv::Mat1d centroids;
-  const int count = cv::connectedComponentsWithStats(shape, labels, stats, centroids, 4, CV_32S);
-  int largest = 1;
-  for (int i = 2; i < count; ++i) {
-    if (stats(i, cv::CC_STAT_AREA) > stats(largest, cv::CC_STAT_AREA)) largest = i;
+/// The first pixel of the largest 4-connected part of a shape.
+cv::Point largestPart(const std::vector<PixelRun>& runs) {
+  const std::vector<std::uint32_t> part_of = connectRuns(runs, false);
+  struct Part {
+    cv::Point first;
+    std::int64_t size = 0;
+  };
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (part_of[i] == parts.size()) parts.push_back({{runs[i].begin, runs[i].y}, 0});
+    parts[part_of[i]].size += runs[i].end - runs[i].begin;
   }
-  cv::Mat1b part;
-  cv::compare(labels, largest, part, cv::CMP_EQ);
-  return part;
+  return std::max_element(parts.begin(), parts.end(),
+                          [](const Part& a, const Part& b) { return a.size < b.size; })
+      ->first;
 }
 
-/// Walks around a 4-connected shape with the shape on the left, from corner to corner.
+/// Walks around one 4-connected part of a shape with the part on the left, from corner to corner.
+/// Other parts are never entered: they touch it by corners at most, where the walk turns left.
 std::vector<cv::Point> traceCorners(const cv::Mat1b& shape, const cv::Point& lowest) {
   static const std::array<cv::Point, 4> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   // pixel ahead on the left of a vertex, for each heading; the one on the right is the next
@@ -55,16 +61,15 @@ std::vector<cv::Point> traceCorners(const cv::Mat1b& shape, const cv::Point& low
 }  // namespace
 
 Polygon traceOutline(const cv::Mat1b& shape) {
-  const cv::Mat1b part = largestPart(shape);
-  const auto lowest = std::find_if(part.begin(), part.end(), [](std::uint8_t v) { return v != 0; });
-  if (lowest == part.end()) return {};
-  std::vector<cv::Point> corners = traceCorners(part, lowest.pos());
+  const std::vector<PixelRun> runs = findRuns(shape, 1);
+  if (runs.empty()) return {};
+  const std::vector<cv::Point> corners = traceCorners(shape, largestPart(runs));
   std::vector<cv::Point> simplified;
   cv::approxPolyDP(corners, simplified, kTolerancePx, true);
   // a shape as thin as the tolerance would collapse
-  if (cv::contourArea(simplified) > 0.9 * cv::contourArea(corners)) corners = simplified;
+  if (cv::contourArea(simplified) <= 0.9 * cv::contourArea(corners)) simplified = corners;
   Polygon outline;
-  for (const cv::Point& corner : corners) outline.emplace_back(corner.x, corner.y);
+  for (const cv::Point& corner : simplified) outline.emplace_back(corner.x, corner.y);
   return outline;
 }
 

@@ -9,7 +9,7 @@ namespace agrid {
 
 /// The outer boundary of the largest 4-connected part of a shape, along the sides of its pixels,
 /// simplified to one pixel; as it is if it is too thin for that.
-/// @param shape  row-major, row 0 = smallest y; not 0 = part of the shape
+/// @param shape  row-major, row 0 = smallest y; 1 = part of the shape, 0 = not
 /// @return corners in pixels, counter-clockwise, pixel (x, y) covering [x, x + 1) x [y, y + 1);
 ///         empty if the shape is
 Polygon traceOutline(const cv::Mat1b& shape);

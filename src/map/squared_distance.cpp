@@ -2,116 +2,161 @@
 #include "map/squared_distance.h"
 
 #include <algorithm>
-#include <limits>
+#include <cstddef>
 
 namespace agrid {
 namespace {
 
-constexpr std::int64_t kNone = std::numeric_limits<std::int32_t>::max();
+/// Distances along a column from which on the squares exceed kFarSquared, or there is none.
+constexpr std::uint16_t kFar = 46341;
 
-struct Progress {
-  const std::function<void()>& between_rows;
-  void row(std::size_t y) const {
-    if (y % 64 == 0 && between_rows) between_rows();
-  }
-};
-
-/// Distance to the nearest marked pixel of the same column, row by row so that memory is read in
-/// order; kNone if the column has none.
-std::vector<std::int32_t> columnDistances(const MapGeometry& geometry,
-                                          const std::vector<std::uint8_t>& marked,
-                                          const Progress& progress) {
+/// For each pixel the distance to the nearest marked pixel above it, at most kFar; row by row so
+/// that memory is read in order.
+std::vector<std::uint16_t> distancesFromAbove(const MapGeometry& geometry,
+                                              const std::uint8_t* marked,
+                                              Surroundings surroundings) {
   const auto width = static_cast<std::size_t>(geometry.width);
-  const auto height = static_cast<std::size_t>(geometry.height);
-  constexpr auto kNoDistance = static_cast<std::int32_t>(kNone);
-  std::vector<std::int32_t> distance(geometry.pixelCount());
-  for (std::size_t y = 0; y < height; ++y) {
-    progress.row(y);
-    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
-      const std::int32_t above = y == 0 ? kNoDistance : distance[i - width];
-      distance[i] = marked[i] != 0 ? 0 : above == kNoDistance ? kNoDistance : above + 1;
+  std::vector<std::uint16_t> distance(geometry.pixelCount());
+  const std::uint16_t beyond = surroundings == Surroundings::kMarked ? 0 : kFar;
+  std::vector<std::uint16_t> previous(width, beyond);
+  const std::uint16_t* above = previous.data();
+  for (std::size_t begin = 0; begin < distance.size(); begin += width) {
+    std::uint16_t* row = distance.data() + begin;
+    for (std::size_t x = 0; x < width; ++x) {
+      const auto next = static_cast<std::uint16_t>(above[x] + (above[x] < kFar ? 1 : 0));
+      row[x] = marked[begin + x] != 0 ? std::uint16_t{0} : next;
     }
-  }
-  for (std::size_t y = height - 1; y-- > 0;) {
-    progress.row(y);
-    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
-      const std::int32_t below = distance[i + width];
-      if (below != kNoDistance) distance[i] = std::min(distance[i], below + 1);
-    }
+    above = row;
   }
   return distance;
 }
 
-/// The lower envelope of one row's parabolas (x - i)^2 + distance(i)^2.
+/// The lower envelope of the parabolas (x - i)^2 + g(i)^2 of a stretch of a row.
 class Envelope {
  public:
-  explicit Envelope(std::size_t width) : apex_(width), from_(width) {}
+  explicit Envelope(std::size_t width) : parabolas_(width + 2) {}
 
-  void transform(std::int32_t* row, std::int64_t width) {
-    collect(row, width);
-    std::copy(row, row + width, distance_.begin());
-    std::size_t q = count_;
-    for (std::int64_t x = width - 1; x >= 0; --x) {
-      if (count_ == 0) {
-        row[x] = kFarSquared;
-        continue;
+  /// Starts anew; positions count from 0 to below `length`.
+  void clear(std::int64_t length) {
+    count_ = 0;
+    length_ = length;
+  }
+
+  /// Adds a parabola to the right of those before.
+  void add(std::int64_t x, std::int64_t g) {
+    const std::int64_t f = x * x + g * g;
+    std::int64_t from = 0;
+    while (count_ > 0) {
+      const Parabola& last = parabolas_[count_ - 1];
+      const std::int64_t rise = f - last.f;
+      const std::int64_t twice_gap = 2 * (x - last.x);
+      if (rise >= last.from * twice_gap) {
+        // 32 bits are divided several times faster
+        from = 1 + (rise <= UINT32_MAX
+                        ? static_cast<std::uint32_t>(rise) / static_cast<std::uint32_t>(twice_gap)
+                        : rise / twice_gap);
+        break;
       }
-      while (q > 1 && from_[q - 1] > x) --q;
-      const std::int64_t value = at(x, apex_[q - 1]);
-      row[x] = static_cast<std::int32_t>(std::min<std::int64_t>(value, kFarSquared));
+      --count_;
+    }
+    if (from < length_) parabolas_[count_++] = {x, f, from};
+  }
+
+  /// Writes the envelope from position `begin` to below `end` to `out`.
+  void write(std::int64_t begin, std::int64_t end, std::int32_t* out) const {
+    if (count_ == 0) std::fill(out, out + (end - begin), kFarSquared);
+    std::size_t k = 0;
+    for (std::int64_t x = begin; x < end && count_ > 0; ++x) {
+      while (k + 1 < count_ && parabolas_[k + 1].from <= x) ++k;
+      const std::int64_t value = parabolas_[k].f + x * (x - 2 * parabolas_[k].x);
+      *out++ = static_cast<std::int32_t>(std::min<std::int64_t>(value, kFarSquared));
     }
   }
 
  private:
-  void collect(const std::int32_t* row, std::int64_t width) {
-    distance_.assign(row, row + width);
-    count_ = 0;
-    for (std::int64_t x = 0; x < width; ++x) {
-      if (row[x] == kNone) continue;
-      while (count_ > 0 && at(from_[count_ - 1], apex_[count_ - 1]) > at(from_[count_ - 1], x)) {
-        --count_;
-      }
-      const std::int64_t from = count_ == 0 ? 0 : takesOver(apex_[count_ - 1], x);
-      if (from >= width) continue;
-      apex_[count_] = x;
-      from_[count_++] = from;
-    }
-  }
-
-  std::int64_t at(std::int64_t x, std::int64_t apex) const {
-    const std::int64_t d = distance_[static_cast<std::size_t>(apex)];
-    return (x - apex) * (x - apex) + d * d;
-  }
-
-  /// The first pixel where the parabola of `right` lies below that of `left`.
-  std::int64_t takesOver(std::int64_t left, std::int64_t right) const {
-    const std::int64_t a = distance_[static_cast<std::size_t>(left)];
-    const std::int64_t b = distance_[static_cast<std::size_t>(right)];
-    const std::int64_t numerator = right * right - left * left + b * b - a * a;
-    const std::int64_t denominator = 2 * (right - left);
-    const std::int64_t floor = numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
-    return floor + 1;
-  }
-
-  std::vector<std::int64_t> apex_;
-  std::vector<std::int64_t> from_;
-  std::vector<std::int32_t> distance_;
+  struct Parabola {
+    std::int64_t x;     ///< of its apex
+    std::int64_t f;     ///< its value at 0
+    std::int64_t from;  ///< where it becomes the lowest
+  };
+  std::vector<Parabola> parabolas_;
   std::size_t count_ = 0;
+  std::int64_t length_ = 0;
+};
+
+/// From the distances along the columns to those in the plane, a row at a time. A marked pixel
+/// hides what lies beyond it, so that each stretch between two of them is a problem of its own.
+class RowTransform {
+ public:
+  RowTransform(int width, Surroundings surroundings)
+      : width_(width),
+        walled_(surroundings == Surroundings::kMarked),
+        envelope_(static_cast<std::size_t>(width)),
+        squared_(static_cast<std::size_t>(width)) {}
+
+  const std::int32_t* operator()(const std::uint16_t* column_distance) {
+    for (int x = 0; x < width_;) {
+      if (column_distance[x] == 0) {
+        squared_[static_cast<std::size_t>(x++)] = 0;
+        continue;
+      }
+      const int begin = x;
+      while (x < width_ && column_distance[x] != 0) ++x;
+      cross(column_distance, begin, x);
+    }
+    return squared_.data();
+  }
+
+ private:
+  /// Fills the unmarked stretch from `begin` to below `end`.
+  void cross(const std::uint16_t* column_distance, int begin, int end) {
+    const int origin = begin - 1;
+    envelope_.clear(end - origin);
+    if (begin > 0 || walled_) envelope_.add(0, 0);
+    for (int x = begin; x < end; ++x) {
+      if (column_distance[x] < kFar) envelope_.add(x - origin, column_distance[x]);
+    }
+    if (end < width_ || walled_) envelope_.add(end - origin, 0);
+    envelope_.write(1, end - origin, squared_.data() + begin);
+  }
+
+  int width_;
+  bool walled_;
+  Envelope envelope_;
+  std::vector<std::int32_t> squared_;
 };
 
 }  // namespace
 
+void forEachRowOfSquaredDistances(
+    const MapGeometry& geometry, const std::uint8_t* marked, Surroundings surroundings,
+    const std::function<void(int y, const std::int32_t* squared)>& take_row) {
+  const auto width = static_cast<std::size_t>(geometry.width);
+  std::vector<std::uint16_t> distance = distancesFromAbove(geometry, marked, surroundings);
+  RowTransform transform(geometry.width, surroundings);
+  const std::uint16_t beyond = surroundings == Surroundings::kMarked ? 0 : kFar;
+  const std::vector<std::uint16_t> next(width, beyond);
+  const std::uint16_t* below = next.data();
+  for (int y = geometry.height - 1; y >= 0; --y) {
+    std::uint16_t* row = distance.data() + static_cast<std::size_t>(y) * width;
+    for (std::size_t x = 0; x < width; ++x) {
+      row[x] = std::min(row[x], static_cast<std::uint16_t>(below[x] + 1));
+    }
+    take_row(y, transform(row));
+    below = row;
+  }
+}
+
 std::vector<std::int32_t> squaredDistances(const MapGeometry& geometry,
                                            const std::vector<std::uint8_t>& marked,
                                            const std::function<void()>& between_rows) {
-  const Progress progress{between_rows};
-  std::vector<std::int32_t> result = columnDistances(geometry, marked, progress);
   const auto width = static_cast<std::size_t>(geometry.width);
-  Envelope envelope(width);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(geometry.height); ++y) {
-    progress.row(y);
-    envelope.transform(result.data() + y * width, geometry.width);
-  }
+  std::vector<std::int32_t> result(geometry.pixelCount());
+  forEachRowOfSquaredDistances(
+      geometry, marked.data(), Surroundings::kUnmarked, [&](int y, const std::int32_t* squared) {
+        if (y % 64 == 0 && between_rows) between_rows();
+        std::copy(squared, squared + width, result.data() + static_cast<std::size_t>(y) * width);
+      });
   return result;
 }
 

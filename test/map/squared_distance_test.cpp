@@ -32,6 +32,32 @@ TEST(SquaredDistances, AreThoseOfASearchOverAllMarkedPixels) {
   }
 }
 
+TEST(SquaredDistances, CountThePixelsAroundTheMapIfTheyAreMarked) {
+  std::mt19937 random(2);
+  for (int trial = 0; trial < 50; ++trial) {
+    std::uniform_int_distribution<int> side(1, 40);
+    const MapGeometry inner{side(random), side(random), 1, {}};
+    const MapGeometry framed{inner.width + 2, inner.height + 2, 1, {}};
+    std::vector<std::uint8_t> marked(inner.pixelCount());
+    std::vector<std::uint8_t> marked_with_frame(framed.pixelCount(), 1);
+    for (std::size_t i = 0; i < marked.size(); ++i) {
+      const Pixel p = inner.pixel(i);
+      marked[i] = random() % 90 == 0 ? 1 : 0;
+      marked_with_frame[framed.index({p.x + 1, p.y + 1})] = marked[i];
+    }
+    const auto expected = squaredDistances(framed, marked_with_frame);
+    int next = inner.height - 1;
+    forEachRowOfSquaredDistances(
+        inner, marked.data(), Surroundings::kMarked, [&](int y, const std::int32_t* squared) {
+          ASSERT_EQ(y, next--);
+          for (int x = 0; x < inner.width; ++x) {
+            ASSERT_EQ(squared[x], expected[framed.index({x + 1, y + 1})]) << x << " " << y;
+          }
+        });
+    EXPECT_EQ(next, -1);
+  }
+}
+
 TEST(SquaredDistances, StayExactWhereFloatsDoNot) {
   const MapGeometry geometry{20000, 1, 1, {}};
   std::vector<std::uint8_t> marked(geometry.pixelCount());
