@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "agrid/evaluation/scores.h"
+#include "evaluation/assignment.h"
 #include "evaluation/label_overlap.h"
 
 namespace agrid {
@@ -17,19 +18,18 @@ struct RecallPrecision {
 
 /// Bormann et al. 2016, the mean over rooms and over areas (their 'micro').
 RecallPrecision bestShares(const LabelOverlap& overlap) {
-  const CostMatrix& counts = overlap.counts;
-  std::vector<double> best_area(counts.columns, 0);
+  std::vector<double> best_area(overlap.room_size.size(), 0);
   RecallPrecision mean;
   if (overlap.areas() == 0 || overlap.rooms() == 0) return mean;
-  for (std::size_t a = 1; a < counts.rows; ++a) {
+  for (std::size_t a = 1; a <= overlap.areas(); ++a) {
     double best_room = 0;
-    for (std::size_t r = 1; r < counts.columns; ++r) {
-      best_room = std::max(best_room, counts.at(a, r));
-      best_area[r] = std::max(best_area[r], counts.at(a, r));
+    for (const auto& [room, pixels] : overlap.of_area[a]) {
+      best_room = std::max(best_room, pixels);
+      best_area[room] = std::max(best_area[room], pixels);
     }
     mean.precision += best_room / overlap.area_size[a];
   }
-  for (std::size_t r = 1; r < counts.columns; ++r) {
+  for (std::size_t r = 1; r <= overlap.rooms(); ++r) {
     mean.recall += best_area[r] / overlap.room_size[r];
   }
   mean.precision /= static_cast<double>(overlap.areas());
@@ -38,20 +38,18 @@ RecallPrecision bestShares(const LabelOverlap& overlap) {
 }
 
 void scoreIntersections(const LabelOverlap& overlap, AreaScores& scores) {
-  CostMatrix cost{overlap.areas(), overlap.rooms(),
-                  std::vector<double>(overlap.areas() * overlap.rooms())};
-  for (std::size_t a = 0; a < cost.rows; ++a) {
-    for (std::size_t r = 0; r < cost.columns; ++r) {
-      const double common = overlap.counts.at(a + 1, r + 1);
-      const double either = overlap.area_size[a + 1] + overlap.room_size[r + 1] - common;
-      cost.at(a, r) = -common / either;
+  std::vector<PairValue> candidates;
+  for (std::size_t a = 1; a <= overlap.areas(); ++a) {
+    for (const auto& [room, pixels] : overlap.of_area[a]) {
+      const double either = overlap.area_size[a] + overlap.room_size[room] - pixels;
+      candidates.push_back({a, room, pixels / either});
     }
   }
   double sum = 0;
   double hits = 0;
-  for (const auto& [a, r] : assignAtLeastCost(cost)) {
-    sum -= cost.at(a, r);
-    hits += cost.at(a, r) <= -0.5 ? 1 : 0;
+  for (const PairValue& pair : assignAtMostValue(candidates)) {
+    sum += pair.value;
+    hits += pair.value >= 0.5 ? 1 : 0;
   }
   const auto areas = static_cast<double>(overlap.areas());
   const auto rooms = static_cast<double>(overlap.rooms());
@@ -61,16 +59,15 @@ void scoreIntersections(const LabelOverlap& overlap, AreaScores& scores) {
 }
 
 void countSplits(const LabelOverlap& overlap, AreaScores& scores) {
-  const CostMatrix& counts = overlap.counts;
-  std::vector<int> parts(counts.columns, 0);
-  for (std::size_t a = 1; a < counts.rows; ++a) {
-    const double inside = overlap.area_size[a] - counts.at(a, 0);
+  std::vector<int> parts(overlap.room_size.size(), 0);
+  for (std::size_t a = 1; a <= overlap.areas(); ++a) {
+    double inside = 0;
+    for (const auto& [room, pixels] : overlap.of_area[a]) inside += pixels;
     int held = 0;
-    for (std::size_t r = 1; r < counts.columns; ++r) {
-      const double common = counts.at(a, r);
-      held += common > 0.5 * overlap.room_size[r] ? 1 : 0;
-      const bool part = common > 0.5 * inside && common >= 0.1 * overlap.room_size[r];
-      parts[r] += part ? 1 : 0;
+    for (const auto& [room, pixels] : overlap.of_area[a]) {
+      held += pixels > 0.5 * overlap.room_size[room] ? 1 : 0;
+      const bool part = pixels > 0.5 * inside && pixels >= 0.1 * overlap.room_size[room];
+      parts[room] += part ? 1 : 0;
     }
     scores.under_segmented += held >= 2 ? 1 : 0;
   }
@@ -86,36 +83,31 @@ double matthews(double tp, double fp, double fn, double tn) {
 
 /// Areas choose their rooms greedily, the one with the largest overlap first.
 double scoreCorrelation(const LabelOverlap& overlap) {
-  const CostMatrix& counts = overlap.counts;
-  const auto bestRoom = [&](std::size_t area, const std::vector<bool>& taken) {
-    std::size_t best = 0;
-    for (std::size_t r = 1; r < counts.columns; ++r) {
-      const double least = best == 0 ? 0 : counts.at(area, best);
-      if (!taken[r] && counts.at(area, r) > least) best = r;
+  std::vector<bool> taken(overlap.room_size.size(), false);
+  const auto bestRoom = [&](std::size_t area) {
+    LabelOverlap::Common best;
+    for (const auto& common : overlap.of_area[area]) {
+      if (!taken[common.room] && common.pixels > best.pixels) best = common;
     }
     return best;
   };
-  std::vector<bool> taken(counts.columns, false);
   std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t a = 1; a < counts.rows; ++a) {
-    order.emplace_back(counts.at(a, bestRoom(a, taken)), a);
-  }
+  for (std::size_t a = 1; a <= overlap.areas(); ++a) order.emplace_back(bestRoom(a).pixels, a);
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& p, const auto& q) { return p.first > q.first; });
-  const double pixels = std::accumulate(overlap.area_size.begin() + 1, overlap.area_size.end(), 0.);
+  const double all = std::accumulate(overlap.area_size.begin() + 1, overlap.area_size.end(), 0.);
   double sum = 0;
   std::size_t count = overlap.rooms();
   for (const auto& [largest, a] : order) {
-    const std::size_t r = bestRoom(a, taken);
-    if (r == 0) {
+    const auto [room, tp] = bestRoom(a);
+    if (room == 0) {
       ++count;
       continue;
     }
-    taken[r] = true;
-    const double tp = counts.at(a, r);
+    taken[room] = true;
     const double fp = overlap.area_size[a] - tp;
-    const double fn = overlap.room_size[r] - tp;
-    sum += matthews(tp, fp, fn, pixels - tp - fp - fn);
+    const double fn = overlap.room_size[room] - tp;
+    sum += matthews(tp, fp, fn, all - tp - fp - fn);
   }
   return sum / static_cast<double>(count);
 }

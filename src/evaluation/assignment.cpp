@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+
+#include "tags/disjoint_sets.h"
 
 namespace agrid {
 namespace {
@@ -53,6 +56,58 @@ void augment(const CostMatrix& cost, std::size_t start, Matching& m) {
   for (; column != 0; column = from[column]) m.row_of[column] = m.row_of[from[column]];
 }
 
+using Candidates = std::vector<PairValue>;
+
+/// Numbers from 0 for numbers that occur.
+class Numbering {
+ public:
+  std::size_t operator()(std::size_t known) {
+    return numbers_.try_emplace(known, numbers_.size()).first->second;
+  }
+  std::size_t size() const { return numbers_.size(); }
+
+ private:
+  std::map<std::size_t, std::size_t> numbers_;
+};
+
+/// Candidates in sets that have no row and no column in common.
+std::vector<Candidates> independentSets(const Candidates& candidates) {
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  for (const PairValue& c : candidates) {
+    rows = std::max(rows, c.row + 1);
+    columns = std::max(columns, c.column + 1);
+  }
+  DisjointSets sets(rows + columns);
+  const auto name = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
+  for (const PairValue& c : candidates) sets.unite(name(c.row), name(rows + c.column));
+  Numbering number;
+  std::vector<Candidates> independent;
+  for (const PairValue& c : candidates) {
+    const std::size_t set = number(sets.find(name(c.row)));
+    if (set == independent.size()) independent.emplace_back();
+    independent[set].push_back(c);
+  }
+  return independent;
+}
+
+/// The best pairs of candidates that hang together.
+void assignTogether(const Candidates& candidates, std::vector<PairValue>& pairs) {
+  Numbering row;
+  Numbering column;
+  for (const PairValue& c : candidates) {
+    row(c.row);
+    column(c.column);
+  }
+  CostMatrix cost{row.size(), column.size(), std::vector<double>(row.size() * column.size(), 0)};
+  for (const PairValue& c : candidates) cost.at(row(c.row), column(c.column)) = -c.value;
+  std::vector<std::size_t> column_of(cost.rows, cost.columns);
+  for (const auto& [r, c] : assignAtLeastCost(cost)) column_of[r] = c;
+  for (const PairValue& c : candidates) {
+    if (column_of[row(c.row)] == column(c.column)) pairs.push_back(c);
+  }
+}
+
 }  // namespace
 
 std::vector<std::pair<std::size_t, std::size_t>> assignAtLeastCost(const CostMatrix& cost) {
@@ -71,6 +126,12 @@ std::vector<std::pair<std::size_t, std::size_t>> assignAtLeastCost(const CostMat
   for (std::size_t c = 1; c <= cost.columns; ++c) {
     if (m.row_of[c] != 0) pairs.emplace_back(m.row_of[c] - 1, c - 1);
   }
+  return pairs;
+}
+
+std::vector<PairValue> assignAtMostValue(const std::vector<PairValue>& candidates) {
+  std::vector<PairValue> pairs;
+  for (const Candidates& set : independentSets(candidates)) assignTogether(set, pairs);
   return pairs;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <limits>
 
 #include "agrid/evaluation/scores.h"
+#include "evaluation/assignment.h"
 #include "evaluation/label_overlap.h"
 #include "evaluation/room_borders.h"
 
@@ -17,20 +19,46 @@ double distanceTo(const Segment& segment, const Point2& point) {
   return (segment.a + std::clamp(share, 0.0, 1.0) * along - point).norm();
 }
 
-/// @param distance  [m] of each door (row) from each true one (column)
-DoorScores pairDoors(CostMatrix distance, double tolerance) {
-  DoorScores scores;
-  scores.doors = distance.rows;
-  scores.borders = distance.columns;
-  if (scores.doors == 0 || scores.borders == 0) return scores;
-  // the cap keeps one far pair from deciding over many near ones
-  for (double& d : distance.values) d = std::min(d, 10 * tolerance);
-  double hits = 0;
-  for (const auto& [d, t] : assignAtLeastCost(distance)) {
-    hits += distance.at(d, t) <= tolerance ? 1 : 0;
+/// A box around a true door; what lies farther from it than `reach` lies farther from the door.
+class Surroundings {
+ public:
+  void add(const Point2& point) {
+    low_ = low_.cwiseMin(point);
+    high_ = high_.cwiseMax(point);
   }
-  scores.precision = hits / static_cast<double>(scores.doors);
-  scores.recall = hits / static_cast<double>(scores.borders);
+  bool hold(const Point2& point, double reach) const {
+    return (point.array() >= low_.array() - reach).all() &&
+           (point.array() <= high_.array() + reach).all();
+  }
+
+ private:
+  static constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  Point2 low_{kInfinite, kInfinite};
+  Point2 high_{-kInfinite, -kInfinite};
+};
+
+/// A true door that is near a door.
+struct Near {
+  std::size_t door = 0;
+  std::size_t truth = 0;
+  double distance = 0;  // [m]
+};
+
+/// Pairs farther apart than that are all alike: one of them must not decide over many near ones.
+double farthest(double tolerance) { return 10 * tolerance; }
+
+DoorScores pairDoors(const std::vector<Near>& near, DoorScores scores, double tolerance) {
+  std::vector<PairValue> candidates;
+  for (const Near& pair : near) {
+    const double value = farthest(tolerance) - pair.distance;
+    if (value > 0) candidates.push_back({pair.door, pair.truth, value});
+  }
+  double hits = 0;
+  for (const PairValue& pair : assignAtMostValue(candidates)) {
+    hits += pair.value >= farthest(tolerance) - tolerance ? 1 : 0;
+  }
+  if (scores.doors > 0) scores.precision = hits / static_cast<double>(scores.doors);
+  if (scores.borders > 0) scores.recall = hits / static_cast<double>(scores.borders);
   return scores;
 }
 
@@ -40,31 +68,42 @@ DoorScores scoreDoors(const OccupancyMap& map, const std::vector<Segment>& doors
                       const std::vector<std::uint16_t>& rooms, double tolerance) {
   checkSize("rooms", rooms, map);
   const MapGeometry& geometry = map.geometry();
+  const Pose2 image_from_map = inverse(geometry.map_from_image);
   const auto borders = findRoomBorders(map, compact(rooms, kMinLabelPixels), kMinBorder);
-  CostMatrix distance{doors_map.size(), borders.size(), {}};
-  for (const Segment& door : doors_map) {
-    const Point2 middle = inverse(geometry.map_from_image) * door.midpoint() / geometry.resolution;
-    for (const Stretch& border : borders) {
-      double nearest = 10 * tolerance;
-      for (const BorderPoint& point : border) {
-        const double d = (point.position(geometry) - middle).norm() * geometry.resolution;
-        nearest = std::min(nearest, d);
+  const auto placeOf = [&](const BorderPoint& point) {
+    return Point2(point.position(geometry) * geometry.resolution);
+  };
+  std::vector<Near> near;
+  for (std::size_t b = 0; b < borders.size(); ++b) {
+    Surroundings surroundings;
+    for (const BorderPoint& point : borders[b]) surroundings.add(placeOf(point));
+    for (std::size_t d = 0; d < doors_map.size(); ++d) {
+      const Point2 middle = image_from_map * doors_map[d].midpoint();
+      if (!surroundings.hold(middle, farthest(tolerance))) continue;
+      double nearest = farthest(tolerance);
+      for (const BorderPoint& point : borders[b]) {
+        nearest = std::min(nearest, (placeOf(point) - middle).norm());
       }
-      distance.values.push_back(nearest);
+      near.push_back({d, b, nearest});
     }
   }
-  return pairDoors(std::move(distance), tolerance);
+  return pairDoors(near, {0, 0, doors_map.size(), borders.size()}, tolerance);
 }
 
 DoorScores scoreDoors(const std::vector<Segment>& doors_map,
                       const std::vector<Segment>& true_doors_map, double tolerance) {
-  CostMatrix distance{doors_map.size(), true_doors_map.size(), {}};
-  for (const Segment& door : doors_map) {
-    for (const Segment& truth : true_doors_map) {
-      distance.values.push_back(distanceTo(truth, door.midpoint()));
+  std::vector<Near> near;
+  for (std::size_t t = 0; t < true_doors_map.size(); ++t) {
+    Surroundings surroundings;
+    surroundings.add(true_doors_map[t].a);
+    surroundings.add(true_doors_map[t].b);
+    for (std::size_t d = 0; d < doors_map.size(); ++d) {
+      const Point2 middle = doors_map[d].midpoint();
+      if (!surroundings.hold(middle, farthest(tolerance))) continue;
+      near.push_back({d, t, distanceTo(true_doors_map[t], middle)});
     }
   }
-  return pairDoors(std::move(distance), tolerance);
+  return pairDoors(near, {0, 0, doors_map.size(), true_doors_map.size()}, tolerance);
 }
 
 }  // namespace agrid

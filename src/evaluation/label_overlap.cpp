@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace agrid {
 namespace {
@@ -40,16 +42,18 @@ Labels onFreePixels(Labels labels, const OccupancyMap& map) {
 }
 
 LabelOverlap::LabelOverlap(const Labels& areas, const Labels& rooms)
-    : counts{labelCount(areas), labelCount(rooms), {}} {
-  counts.values.assign(counts.rows * counts.columns, 0);
-  for (std::size_t i = 0; i < areas.size(); ++i) ++counts.at(areas[i], rooms[i]);
-  area_size.assign(counts.rows, 0);
-  room_size.assign(counts.columns, 0);
-  for (std::size_t a = 0; a < counts.rows; ++a) {
-    for (std::size_t r = 0; r < counts.columns; ++r) {
-      area_size[a] += counts.at(a, r);
-      room_size[r] += counts.at(a, r);
-    }
+    : of_area(labelCount(areas)), area_size(of_area.size(), 0), room_size(labelCount(rooms), 0) {
+  std::map<std::pair<std::uint16_t, std::uint16_t>, std::size_t> counts;
+  for (std::size_t begin = 0, end = 0; begin < areas.size(); begin = end) {
+    while (end < areas.size() && areas[end] == areas[begin] && rooms[end] == rooms[begin]) ++end;
+    counts[{areas[begin], rooms[begin]}] += end - begin;
+  }
+  for (const auto& [pair, count] : counts) {
+    const auto [area, room] = pair;
+    const auto pixels = static_cast<double>(count);
+    area_size[area] += pixels;
+    room_size[room] += pixels;
+    if (room != 0) of_area[area].push_back({room, pixels});
   }
 }
 

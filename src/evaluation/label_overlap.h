@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "agrid/map/occupancy_map.h"
-#include "evaluation/assignment.h"
 
 namespace agrid {
 
@@ -26,15 +25,21 @@ Labels compact(Labels labels, std::size_t min_pixels);
 /// The labels of free pixels, 0 on all others.
 Labels onFreePixels(Labels labels, const OccupancyMap& map);
 
-/// Pixels that each area (row) and each room (column) have in common; row and column 0: none.
+/// Pixels that areas and rooms have in common.
 struct LabelOverlap {
-  LabelOverlap(const Labels& areas, const Labels& rooms);
-  std::size_t areas() const { return counts.rows - 1; }
-  std::size_t rooms() const { return counts.columns - 1; }
+  struct Common {
+    std::size_t room = 0;
+    double pixels = 0;
+  };
 
-  CostMatrix counts;
-  std::vector<double> area_size;
-  std::vector<double> room_size;
+  /// @param areas, rooms  numbered without gaps (see compact), of the same size
+  LabelOverlap(const Labels& areas, const Labels& rooms);
+  std::size_t areas() const { return area_size.size() - 1; }
+  std::size_t rooms() const { return room_size.size() - 1; }
+
+  std::vector<std::vector<Common>> of_area;  ///< by area: its rooms, in their order, without 0
+  std::vector<double> area_size;             ///< by area, outside all rooms too [px]
+  std::vector<double> room_size;             ///< by room, outside all areas too [px]
 };
 
 }  // namespace agrid
