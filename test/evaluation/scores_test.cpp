@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <functional>
+#include <random>
 
 #include <gtest/gtest.h>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
-#include "agrid/areas/area_segmentation.h"
 #include "support/ascii_map.h"
+#include "support/generated_maps.h"
 
 namespace agrid {
 namespace {
@@ -78,93 +77,135 @@ TEST(Scores, DoorsAreFoundNearTheBorderOnceEach) {
   EXPECT_DOUBLE_EQ(scoreDoors(map, {}, rooms).precision, 0);
 }
 
-/// Ten floor plans with rooms drawn by people; free is grey 250 and above.
-class FloorPlans : public ::testing::Test {
- protected:
-  struct Means {
-    double iou_all = 0;
-    double mcc = 0;
-    double f1_50 = 0;
-    double door_precision = 0;
-    double door_recall = 0;
-  };
+TEST(Scores, DoorsAreFoundNearTrueOnesOnceEach) {
+  const Segment truth{{1.2, 0.2}, {1.2, 1.0}};
+  const Segment aside{{1.0, 0.6}, {2.4, 0.6}};   // its middle 0.5 m beside
+  const Segment beyond{{1.1, 1.6}, {1.3, 1.6}};  // its middle 0.6 m beyond the jamb
+  EXPECT_DOUBLE_EQ(scoreDoors({truth}, {truth}).recall, 1);
+  EXPECT_DOUBLE_EQ(scoreDoors({aside, truth}, {truth}).precision, 0.5);
+  EXPECT_DOUBLE_EQ(scoreDoors({aside}, {truth}, 0.51).precision, 1);
+  EXPECT_DOUBLE_EQ(scoreDoors({beyond}, {truth}).recall, 0);
+  EXPECT_DOUBLE_EQ(scoreDoors({beyond}, {truth}, 0.61).recall, 1);
+  EXPECT_DOUBLE_EQ(scoreDoors({}, {truth}).recall, 0);
+  EXPECT_DOUBLE_EQ(scoreDoors({truth}, {}).precision, 0);
+}
 
-  void SetUp() override {
-    if (!std::ifstream(path("NLB.png"))) GTEST_SKIP() << "no floor plans at " << path("");
-  }
-  static std::string path(const std::string& file) {
-    return std::string(AGRID_SHARED) + "/maps/bormann/" + file;
-  }
+TEST(Scores, RecallAndPrecisionAreMeansOverRoomsAndAreas) {
+  //                                     32 columns of 12 pixels
+  const Labels rooms = columnLabels("11111111111122222222222222222222");
+  const Labels areas = columnLabels("11111111111111111111003333333333");
+  const AreaScores scores = scoreAreas(freeMap(32), areas, rooms);
+  EXPECT_DOUBLE_EQ(scores.recall, (1 + 10. / 20) / 2);
+  EXPECT_DOUBLE_EQ(scores.precision, (12. / 20 + 1) / 2);
+  EXPECT_DOUBLE_EQ(scores.recall_free, scores.recall);
+  EXPECT_DOUBLE_EQ(scores.precision_free, scores.precision);
+  EXPECT_DOUBLE_EQ(scores.iou_rooms, scores.iou_all);
+}
 
-  static OccupancyMap load(const std::string& name) {
-    cv::Mat1b image = cv::imread(path(name + ".png"), cv::IMREAD_GRAYSCALE);
-    cv::flip(image, image, 0);
-    OccupancyGrid grid;
-    grid.geometry = {image.cols, image.rows, 0.05, {}};
-    for (const std::uint8_t grey : image) grid.values.push_back(grey >= 250 ? 0 : 100);
-    return OccupancyMap(grid);
-  }
+TEST(Scores, FurnitureCountsWhereTheRoomIsTakenWhole) {
+  const Labels rooms = columnLabels("1111111111111111");
+  const Labels areas = columnLabels("1111111111110000");
+  const OccupancyMap map = test::asciiMap(std::vector<std::string>(12, "............####"), 0.1);
+  const AreaScores free = scoreAreas(map, areas, rooms);
+  EXPECT_DOUBLE_EQ(free.recall, 0.75);
+  EXPECT_DOUBLE_EQ(free.recall_free, 1);
+  EXPECT_DOUBLE_EQ(free.iou_all, 1);
+  const AreaScores whole = scoreAreas(map, areas, rooms, RoomFloor::kAll);
+  EXPECT_DOUBLE_EQ(whole.recall_free, 1);
+  EXPECT_DOUBLE_EQ(whole.iou_all, 0.75);
+}
 
-  static Labels loadRooms(const std::string& name) {
-    const cv::Mat1b image = cv::imread(path(name + "_gt_segmentation.png"), cv::IMREAD_GRAYSCALE);
-    cv::Mat1i components;
-    cv::connectedComponents(image > 250, components, 8, CV_32S);
-    cv::flip(components, components, 0);
-    return {components.begin(), components.end()};
-  }
+TEST(Scores, RoomsCutUpAndMergedAreCounted) {
+  const Labels rooms = columnLabels("1111111111111111111111222222222222");
+  const Labels halves = columnLabels("1111111111133333333333222222222222");
+  const Labels all = columnLabels("1111111111111111111111111111111111");
+  EXPECT_EQ(scoreAreas(freeMap(34), rooms, rooms).over_segmented, 0U);
+  EXPECT_EQ(scoreAreas(freeMap(34), halves, rooms).over_segmented, 1U);
+  EXPECT_EQ(scoreAreas(freeMap(34), halves, rooms).under_segmented, 0U);
+  EXPECT_EQ(scoreAreas(freeMap(34), all, rooms).over_segmented, 0U);
+  EXPECT_EQ(scoreAreas(freeMap(34), all, rooms).under_segmented, 1U);
+}
 
-  static Means score(const std::string& variant, const AreaParams& params) {
-    Means mean;
-    for (const char* name : {"Freiburg79_scan", "NLB", "lab_c_scan", "lab_d_scan", "lab_intel",
-                             "lab_ipa", "office_a", "office_c", "office_f", "office_h"}) {
-      const OccupancyMap map = load(name + variant);
-      const AGrid grid(map.geometry().map_from_image, {0, 100}, {0, 100});
-      const AreaMap areas = segmentAreas(map, grid, proposeTags(map, {}, params), params);
-      const Labels rooms = loadRooms(name);
-      const AreaScores scores = scoreAreas(map, areas.pixel_labels, rooms);
-      std::vector<Segment> doors;
-      for (const Door& door : areas.doors) doors.push_back(door.jambs_map);
-      const DoorScores door_scores = scoreDoors(load(name), doors, rooms);
-      std::printf("%-16s %-10s areas %.4f %.4f %.4f doors %.4f %.4f\n", name, variant.c_str(),
-                  scores.iou_all, scores.mcc, scores.f1_50, door_scores.precision,
-                  door_scores.recall);
-      mean.iou_all += scores.iou_all / 10;
-      mean.mcc += scores.mcc / 10;
-      mean.f1_50 += scores.f1_50 / 10;
-      mean.door_precision += door_scores.precision / 10;
-      mean.door_recall += door_scores.recall / 10;
+/// Areas or rooms as random rectangles, later ones over earlier ones.
+Labels randomLabels(std::mt19937& random, int side) {
+  Labels labels(static_cast<std::size_t>(side * side), 0);
+  const int count = 2 + static_cast<int>(random() % 4);
+  for (int label = 1; label <= count; ++label) {
+    const int x = static_cast<int>(random() % 40);
+    const int y = static_cast<int>(random() % 40);
+    const int width = 8 + static_cast<int>(random() % 30);
+    for (int i = 0; i < side * side; ++i) {
+      const bool inside =
+          i % side >= x && i % side < x + width && i / side >= y && i / side < y + width;
+      if (inside) labels[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(7 * label);
     }
-    std::printf("mean %.4f %.4f %.4f doors %.4f %.4f\n", mean.iou_all, mean.mcc, mean.f1_50,
-                mean.door_precision, mean.door_recall);
-    return mean;
   }
-};
-
-TEST_F(FloorPlans, PlainOnesScoreAsMeasured) {
-  const Means mean = score("", {});
-  EXPECT_GT(mean.iou_all, 0.89);
-  EXPECT_GT(mean.mcc, 0.905);
-  EXPECT_GT(mean.f1_50, 0.92);
-  EXPECT_GT(mean.door_precision, 0.89);
-  EXPECT_GT(mean.door_recall, 0.86);
+  return labels;
 }
 
-TEST_F(FloorPlans, FurnishedOnesScoreAsMeasured) {
-  const Means mean = score("_furnitures", {});
-  EXPECT_GT(mean.iou_all, 0.855);
-  EXPECT_GT(mean.mcc, 0.850);
-  EXPECT_GT(mean.f1_50, 0.890);
-  EXPECT_GT(mean.door_precision, 0.85);
-  EXPECT_GT(mean.door_recall, 0.86);
+double countWhere(const Labels& areas, const Labels& rooms,
+                  const std::function<bool(int, int)>& holds) {
+  double count = 0;
+  for (std::size_t i = 0; i < areas.size(); ++i) count += holds(areas[i], rooms[i]) ? 1 : 0;
+  return count;
 }
 
-TEST_F(FloorPlans, ThePapersMethodScoresAsMeasured) {
-  AreaParams params;
-  params.method = AreaMethod::kPaper;
-  const Means mean = score("", params);
-  EXPECT_GT(mean.iou_all, 0.68);
-  EXPECT_GT(mean.door_precision, 0.98);
-  EXPECT_GT(mean.door_recall, 0.69);
+/// The labels of more than 100 pixels.
+std::vector<int> largeLabels(const Labels& labels) {
+  std::vector<int> large;
+  for (int label = 7; label <= 42; label += 7) {
+    const auto count = std::count(labels.begin(), labels.end(), label);
+    if (count > 100) large.push_back(label);
+  }
+  return large;
+}
+
+TEST(Scores, AgreeWithTheirDefinitionsOnRandomRectangles) {
+  std::mt19937 random(11);
+  constexpr int kSide = 64;
+  const OccupancyMap map(test::uniform(kSide, kSide, 0));
+  for (int trial = 0; trial < 40; ++trial) {
+    const Labels areas = randomLabels(random, kSide);
+    const Labels rooms = randomLabels(random, kSide);
+    const std::vector<int> a = largeLabels(areas);
+    const std::vector<int> r = largeLabels(rooms);
+    if (a.empty() || r.empty()) continue;
+    const auto common = [&](int area, int room) {
+      return countWhere(areas, rooms, [=](int p, int q) { return p == area && q == room; });
+    };
+    double recall = 0;
+    for (const int room : r) {
+      double best = 0;
+      for (const int area : a) best = std::max(best, common(area, room));
+      recall += best / static_cast<double>(std::count(rooms.begin(), rooms.end(), room));
+    }
+    double precision = 0;
+    for (const int area : a) {
+      double best = 0;
+      for (const int room : r) best = std::max(best, common(area, room));
+      precision += best / static_cast<double>(std::count(areas.begin(), areas.end(), area));
+    }
+    // Each way to pair them: rooms in every order beside the areas, with gaps.
+    std::vector<int> order = r;
+    order.resize(r.size() + a.size(), -1);
+    std::sort(order.begin(), order.end());
+    double best_sum = 0;
+    do {
+      double sum = 0;
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        if (order[i] < 0) continue;
+        sum += common(a[i], order[i]) /
+               countWhere(areas, rooms, [&](int p, int q) { return p == a[i] || q == order[i]; });
+      }
+      best_sum = std::max(best_sum, sum);
+    } while (std::next_permutation(order.begin(), order.end()));
+    const AreaScores scores = scoreAreas(map, areas, rooms);
+    EXPECT_NEAR(scores.recall, recall / static_cast<double>(r.size()), 1e-12);
+    EXPECT_NEAR(scores.precision, precision / static_cast<double>(a.size()), 1e-12);
+    EXPECT_NEAR(scores.iou_rooms, best_sum / static_cast<double>(r.size()), 1e-12);
+    EXPECT_NEAR(scores.iou_all, best_sum / static_cast<double>(std::max(a.size(), r.size())),
+                1e-12);
+  }
 }
 
 }  // namespace
