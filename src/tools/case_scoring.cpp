@@ -9,23 +9,10 @@
 #include <thread>
 #include <utility>
 
-#include <opencv2/core.hpp>
 #include <unistd.h>
 
 namespace agrid::tools {
 namespace {
-
-/// Each thread works on a map of its own; OpenCV's threads would only get in their way.
-class OpenCvThreads {
- public:
-  explicit OpenCvThreads(int count) : former_(cv::getNumThreads()) { cv::setNumThreads(count); }
-  ~OpenCvThreads() { cv::setNumThreads(former_); }
-  OpenCvThreads(const OpenCvThreads&) = delete;
-  OpenCvThreads& operator=(const OpenCvThreads&) = delete;
-
- private:
-  int former_;
-};
 
 /// Scores the maps, some at a time.
 class Scoring {
@@ -82,7 +69,6 @@ class Scoring {
 std::vector<CaseScores> scoreCases(const std::vector<EvalCase>& cases,
                                    const ConversionParams& params, const std::vector<View>& views,
                                    int threads) {
-  const OpenCvThreads one_each(1);
   return Scoring(cases, params, views).run(threads);
 }
 
