@@ -2,148 +2,136 @@
 #include "tags/basins.h"
 
 #include <algorithm>
-#include <array>
+#include <cstring>
 #include <unordered_map>
 
-#include "tags/pixel_neighbours.h"
+#include "tags/ascent.h"
 
 namespace agrid {
 namespace {
 
-constexpr std::uint8_t kPeak = 8;  ///< the pixel is the peak of its basin
-constexpr std::uint8_t kFlat = 9;  ///< no neighbour is higher; its plateau decides
-
-/// The relief with, for each pixel, which of its neighbours leads up.
-class Ascent {
+/// Gives each pixel the basin of the peak that its way leads to. Most ways go on to pixels that
+/// the same scan has met before; so one scan up the image and one down it leave few to be followed.
+class Labelling {
  public:
-  explicit Ascent(const cv::Mat1f& relief) : relief_(relief), up_(relief.total(), kFlat) {
-    for (std::size_t n = 0; n < kNeighbours.size(); ++n) {
-      offsets_[n] = kNeighbours[n].x + static_cast<std::ptrdiff_t>(kNeighbours[n].y) * relief.cols;
-    }
-    takeSteepest();
-    crossPlateaus();
-  }
+  Labelling(const Ascent& ascent, const float* height, Basins& result)
+      : ascent_(ascent), height_(height), result_(result), of_pixel_(result.of_pixel) {}
 
-  /// Calls f(pixel, its index) for each pixel of the relief, row by row.
-  template <typename F>
-  void forEachPixel(F f) const {
-    std::size_t index = 0;
-    for (int y = 0; y < relief_.rows; ++y) {
-      for (int x = 0; x < relief_.cols; ++x, ++index) {
-        if (height(index) > 0) f(Pixel{x, y}, index);
+  void run() {
+    for (std::size_t i = of_pixel_.size(); i-- > 0;) {
+      const std::uint8_t way = ascent_.way(i);
+      if (way == Ascent::kPeak) {
+        of_pixel_[i] = static_cast<std::uint32_t>(peaks_.size());
+        peaks_.push_back(i);
+      } else if (leadsDown(way)) {
+        of_pixel_[i] = of_pixel_[ascent_.next(i)];
       }
     }
-  }
-  /// Calls f(neighbour's number, its index) for each neighbour of a pixel inside the image.
-  template <typename F>
-  void forEachNeighbour(Pixel p, std::size_t index, F f) const {
-    const bool inner = p.x > 0 && p.y > 0 && p.x + 1 < relief_.cols && p.y + 1 < relief_.rows;
-    for (std::uint8_t n = 0; n < kNeighbours.size(); ++n) {
-      const Pixel q = p + kNeighbours[n];
-      if (!inner && (q.x < 0 || q.y < 0 || q.x >= relief_.cols || q.y >= relief_.rows)) continue;
-      f(n, index + static_cast<std::size_t>(offsets_[n]));
+    number_.assign(peaks_.size(), Basins::kNone);
+    std::uint32_t basin = Basins::kNone;
+    std::size_t begin = 0;  // of the run of pixels of that basin
+    const auto endRun = [&](std::size_t end) {
+      if (basin != Basins::kNone) result_.basins[basin].size_px += end - begin;
+      begin = end;
+    };
+    for (std::size_t i = 0; i < of_pixel_.size(); ++i) {
+      of_pixel_[i] = numberAt(i);
+      if (of_pixel_[i] == basin) continue;
+      endRun(i);
+      basin = of_pixel_[i];
     }
+    endRun(of_pixel_.size());
   }
-  float height(std::size_t index) const { return relief_.ptr<float>()[index]; }
-  bool isPeak(std::size_t index) const { return up_[index] == kPeak; }
-  std::size_t next(std::size_t index) const {
-    return index + static_cast<std::size_t>(offsets_[up_[index]]);
-  }
-  std::size_t size() const { return up_.size(); }
 
  private:
-  void takeSteepest() {
-    forEachPixel([&](Pixel p, std::size_t i) {
-      const float h = height(i);
-      std::array<float, 2> highest{h, h};  // straight and diagonal neighbours
-      forEachNeighbour(p, i, [&](std::uint8_t n, std::size_t j) {
-        highest[n / 4] = std::max(highest[n / 4], height(j));
-      });
-      const bool is_diagonal = (highest[1] - h) * 0.70710678F > highest[0] - h;
-      const float target = highest[is_diagonal ? 1 : 0];
-      if (target <= h) return;
-      forEachNeighbour(p, i, [&](std::uint8_t n, std::size_t j) {
-        if (up_[i] == kFlat && (n >= 4) == is_diagonal && height(j) == target) up_[i] = n;
-      });
-    });
-  }
+  /// Whether a way leads to a later pixel, row by row.
+  static bool leadsDown(std::uint8_t way) { return (0b110011U >> way & 1U) != 0; }
 
-  void crossPlateaus() {
-    std::vector<std::size_t> queue;
-    forEachPixel([&](Pixel p, std::size_t i) {
-      if (up_[i] == kFlat && followEqual(p, i)) queue.push_back(i);
-    });
-    for (const std::size_t i : queue) up_[i] = static_cast<std::uint8_t>(up_[i] - kDeferred);
-    spread(queue);
-    forEachPixel([&](Pixel, std::size_t i) {
-      if (up_[i] != kFlat) return;
-      up_[i] = kPeak;
-      queue.assign(1, i);
-      spread(queue);
-    });
-  }
-
-  /// Marks a flat pixel at the rim of its plateau; the mark becomes a direction once all are found,
-  /// so that the order of the scan does not matter.
-  bool followEqual(Pixel p, std::size_t i) {
-    forEachNeighbour(p, i, [&](std::uint8_t n, std::size_t j) {
-      if (up_[i] == kFlat && height(j) == height(i) && up_[j] < kPeak) {
-        up_[i] = static_cast<std::uint8_t>(n + kDeferred);
-      }
-    });
-    return up_[i] != kFlat;
-  }
-
-  /// Lets the rest of each plateau follow the pixels in the queue, nearest first.
-  void spread(std::vector<std::size_t>& queue) {
-    const auto columns = static_cast<std::size_t>(relief_.cols);
-    for (std::size_t head = 0; head < queue.size(); ++head) {
-      const std::size_t i = queue[head];
-      const Pixel p{static_cast<int>(i % columns), static_cast<int>(i / columns)};
-      forEachNeighbour(p, i, [&](std::uint8_t n, std::size_t j) {
-        if (up_[j] != kFlat || height(j) != height(i)) return;
-        up_[j] = static_cast<std::uint8_t>(n < 4 ? (n + 2) % 4 : 4 + (n - 2) % 4);
-        queue.push_back(j);
-      });
+  /// The basin of a pixel when all before it have theirs; the others' are numbers of peaks or none.
+  std::uint32_t numberAt(std::size_t i) {
+    const std::uint8_t way = ascent_.way(i);
+    if (way == Ascent::kOutside) return Basins::kNone;
+    if (of_pixel_[i] == Basins::kNone) {
+      if (!leadsDown(way)) return of_pixel_[ascent_.next(i)];
+      follow(i);
     }
+    std::uint32_t& number = number_[of_pixel_[i]];
+    if (number == Basins::kNone) {
+      const std::size_t peak = peaks_[of_pixel_[i]];
+      number = static_cast<std::uint32_t>(result_.basins.size());
+      result_.basins.push_back({peak, height_[peak], 0});
+      peak_of_.push_back(of_pixel_[i]);
+    }
+    return number;
   }
 
-  static constexpr std::uint8_t kDeferred = 16;
-  const cv::Mat1f& relief_;
-  std::array<std::ptrdiff_t, 8> offsets_{};  ///< from a pixel's index to its neighbours'
-  std::vector<std::uint8_t> up_;
+  /// Labels all pixels of a way with the number of their peak.
+  void follow(std::size_t start) {
+    path_.clear();
+    std::size_t i = start;
+    for (; of_pixel_[i] == Basins::kNone; i = ascent_.next(i)) path_.push_back(i);
+    const std::uint32_t peak = i < start ? peak_of_[of_pixel_[i]] : of_pixel_[i];
+    for (const std::size_t j : path_) of_pixel_[j] = peak;
+  }
+
+  const Ascent& ascent_;
+  const float* height_;
+  Basins& result_;
+  std::vector<std::uint32_t>& of_pixel_;
+  std::vector<std::size_t> peaks_;      ///< as the scan up the image meets them
+  std::vector<std::uint32_t> number_;   ///< for each of them its basin
+  std::vector<std::uint32_t> peak_of_;  ///< for each basin its peak's number
+  std::vector<std::size_t> path_;
 };
 
-/// Follows each pixel up to its peak or to a pixel already known.
-void labelPixels(const Ascent& ascent, Basins& result) {
-  std::vector<std::size_t> path;
-  ascent.forEachPixel([&](Pixel, std::size_t start) {
-    path.clear();
-    std::size_t i = start;
-    while (result.of_pixel[i] == Basins::kNone && !ascent.isPeak(i)) {
-      path.push_back(i);
-      i = ascent.next(i);
-    }
-    if (result.of_pixel[i] == Basins::kNone) {
-      result.of_pixel[i] = static_cast<std::uint32_t>(result.basins.size());
-      result.basins.push_back({i, ascent.height(i), 1});
-    }
-    const std::uint32_t basin = result.of_pixel[i];
-    for (const std::size_t j : path) result.of_pixel[j] = basin;
-    result.basins[basin].size_px += path.size();
-  });
+/// Marks the pixels of a row that have a neighbour of a basin with a higher number.
+/// @param rows  the basins in the row before, in this one and in the next
+void findRims(const std::array<const std::uint32_t*, 3>& rows, int columns, std::uint8_t* is_rim) {
+  static_assert(static_cast<std::int32_t>(Basins::kNone) == -1, "below all basins");
+  const auto basin = [&](std::size_t row, int x) {
+    return static_cast<std::int32_t>(rows[row][x]);
+  };
+  for (int x = 1; x + 1 < columns; ++x) {
+    const std::int32_t own = basin(1, x);
+    const int higher = (basin(0, x - 1) > own) | (basin(0, x) > own) | (basin(0, x + 1) > own) |
+                       (basin(1, x - 1) > own) | (basin(1, x + 1) > own) | (basin(2, x - 1) > own) |
+                       (basin(2, x) > own) | (basin(2, x + 1) > own);
+    is_rim[x] = static_cast<std::uint8_t>(higher & (own >= 0));
+  }
+  is_rim[0] = basin(1, 0) >= 0;
+  is_rim[columns - 1] = basin(1, columns - 1) >= 0;
 }
 
-void findSaddles(const Ascent& ascent, Basins& result) {
+/// Calls f(index) for each pixel that may have a neighbour of a basin with a higher number.
+template <typename F>
+void forEachRim(const std::vector<std::uint32_t>& of_pixel, const cv::Size& size, F f) {
+  const auto columns = static_cast<std::size_t>(size.width);
+  std::vector<std::uint8_t> is_rim(columns);
+  for (int y = 0; y < size.height; ++y) {
+    const std::size_t first = static_cast<std::size_t>(y) * columns;
+    const std::uint32_t* row = of_pixel.data() + first;
+    findRims({y > 0 ? row - columns : row, row, y + 1 < size.height ? row + columns : row},
+             size.width, is_rim.data());
+    for (std::size_t x = 0; x < columns; ++x) {
+      const void* found = std::memchr(is_rim.data() + x, 1, columns - x);
+      if (!found) break;
+      x = static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - is_rim.data());
+      f(first + x);
+    }
+  }
+}
+
+void findSaddles(const Ascent& ascent, const cv::Mat1f& relief, Basins& result) {
+  const float* height = relief.ptr<float>();
   std::unordered_map<std::uint64_t, Saddle> saddles;
-  ascent.forEachPixel([&](Pixel p, std::size_t i) {
+  forEachRim(result.of_pixel, relief.size(), [&](std::size_t i) {
     const std::uint32_t a = result.of_pixel[i];
-    ascent.forEachNeighbour(p, i, [&](std::uint8_t, std::size_t j) {
+    ascent.forEachNeighbour(i, [&](std::uint8_t, std::size_t j) {
       const std::uint32_t b = result.of_pixel[j];
       if (b <= a || b == Basins::kNone) return;
-      const std::size_t lowest = ascent.height(i) <= ascent.height(j) ? i : j;
+      const std::size_t lowest = height[i] <= height[j] ? i : j;
       Saddle& saddle = saddles[std::uint64_t{a} << 32U | b];
-      if (ascent.height(lowest) > saddle.height) saddle = {ascent.height(lowest), a, b, lowest};
+      if (height[lowest] > saddle.height) saddle = {height[lowest], a, b, lowest};
     });
   });
   result.saddles.reserve(saddles.size());
@@ -159,9 +147,9 @@ void findSaddles(const Ascent& ascent, Basins& result) {
 Basins findBasins(const cv::Mat1f& relief) {
   const Ascent ascent(relief);
   Basins result;
-  result.of_pixel.assign(ascent.size(), Basins::kNone);
-  labelPixels(ascent, result);
-  findSaddles(ascent, result);
+  result.of_pixel.assign(relief.total(), Basins::kNone);
+  Labelling(ascent, relief.ptr<float>(), result).run();
+  findSaddles(ascent, relief, result);
   return result;
 }
 

@@ -83,6 +83,28 @@ TEST(Basins, SaddlesAreTheHighestWaysBetweenThem) {
   }
 }
 
+TEST(Basins, EachPixelBelongsWithTheOneItRisesToMostSteeply) {
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 30; ++trial) {
+    cv::Mat1f relief = randomRelief(random, 5);
+    float next = 1;  // so that there are no plateaus
+    for (float& h : relief) h = h > 0 ? h + 1e-4F * next++ : 0;
+    const float* height = relief.ptr<float>();
+    const Basins basins = findBasins(relief);
+    std::vector<std::pair<float, std::size_t>> steepest(relief.total(), {0.F, 0});
+    forEachPair(relief, [&](std::size_t i, std::size_t j) {
+      const auto columns = static_cast<std::size_t>(relief.cols);
+      const bool is_diagonal = i % columns != j % columns && i / columns != j / columns;
+      const float rise = (height[j] - height[i]) * (is_diagonal ? 0.70710678F : 1.F);
+      if (height[i] > 0 && rise > steepest[i].first) steepest[i] = {rise, j};
+    });
+    for (std::size_t i = 0; i < steepest.size(); ++i) {
+      if (steepest[i].first <= 0) continue;
+      EXPECT_EQ(basins.of_pixel[i], basins.of_pixel[steepest[i].second]) << trial << " " << i;
+    }
+  }
+}
+
 TEST(Basins, APlateauIsPartedInItsMiddle) {
   const cv::Mat1f relief = (cv::Mat1f(1, 10) << 5, 3, 3, 3, 3, 3, 3, 4, 6, 6);
   const Basins basins = findBasins(relief);
