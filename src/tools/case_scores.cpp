@@ -34,7 +34,7 @@ LoadedMap load(const std::string& yaml_path, const ConversionParams& params) {
 Truth readTruth(const EvalCase& about, const OccupancyMap& map, const ConversionParams& params) {
   const bool same = about.empty_yaml == about.map_yaml;
   Truth truth{same ? map : OccupancyMap(load(about.empty_yaml, params).grid, params.map),
-              readTrueRooms(about.rooms, map.geometry()),
+              readTrueRooms(about.rooms, map),
               about.group == EvalGroup::kPlain ? RoomFloor::kAll : RoomFloor::kFree,
               !about.doors.empty(),
               {}};

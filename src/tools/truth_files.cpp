@@ -20,9 +20,10 @@ namespace {
 
 using Labels = std::vector<std::uint16_t>;
 
-/// Even-odd rule at the pixels' centres; pixels that have a room keep it.
-void fillPolygon(const Polygon& corners_px, std::uint16_t room, const MapGeometry& geometry,
+/// Even-odd rule at the centres of free pixels; those that have a room keep it.
+void fillPolygon(const Polygon& corners_px, std::uint16_t room, const OccupancyMap& map,
                  Labels& rooms) {
+  const MapGeometry& geometry = map.geometry();
   for (int y = 0; y < geometry.height; ++y) {
     std::vector<double> crossings;
     for (std::size_t i = 0; i < corners_px.size(); ++i) {
@@ -39,20 +40,21 @@ void fillPolygon(const Polygon& corners_px, std::uint16_t room, const MapGeometr
       };
       for (int x = column(crossings[i]); x < column(crossings[i + 1]); ++x) {
         std::uint16_t& label = rooms[geometry.index({x, y})];
-        if (label == 0) label = room;
+        if (label == 0 && map.isFree({x, y})) label = room;
       }
     }
   }
 }
 
-Labels roomsOfPolygons(const std::vector<Polygon>& polygons_map, const MapGeometry& geometry) {
+Labels roomsOfPolygons(const std::vector<Polygon>& polygons_map, const OccupancyMap& map) {
+  const MapGeometry& geometry = map.geometry();
   Labels rooms(geometry.pixelCount(), 0);
   const Pose2 image_from_map = inverse(geometry.map_from_image);
   std::uint16_t room = 0;
   for (const Polygon& polygon : polygons_map) {
     Polygon corners_px;
     for (const Point2& p : polygon) corners_px.push_back(image_from_map * p / geometry.resolution);
-    fillPolygon(corners_px, ++room, geometry, rooms);
+    fillPolygon(corners_px, ++room, map, rooms);
   }
   return rooms;
 }
@@ -88,9 +90,10 @@ std::vector<Segment> doorsOfCsv(const std::string& path, const MapGeometry& geom
 
 }  // namespace
 
-std::vector<std::uint16_t> readTrueRooms(const std::string& path, const MapGeometry& geometry) {
+std::vector<std::uint16_t> readTrueRooms(const std::string& path, const OccupancyMap& map) {
   const std::filesystem::path file(path);
-  if (file.extension() == ".yaml") return roomsOfPolygons(readRoomPolygons(path), geometry);
+  if (file.extension() == ".yaml") return roomsOfPolygons(readRoomPolygons(path), map);
+  const MapGeometry& geometry = map.geometry();
   if (file.filename() == "rooms.png") return readNumberedRooms(path, geometry);
   if (file.filename() == "locations.png") return readLocations(path, geometry);
   return readPaintedRooms(path, geometry);

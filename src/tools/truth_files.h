@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "agrid/geometry/segment.h"
-#include "agrid/map/map_geometry.h"
+#include "agrid/map/occupancy_map.h"
 
 namespace agrid::tools {
 
 /// Reads the true rooms of a map; the file's name tells its format (doc/tool.md): polygons in
-/// `*.yaml`, room numbers in `rooms.png`, numbers from 0 in `locations.png`, else a picture whose
-/// rooms are white or coloured.
+/// `*.yaml`, of which only free pixels count, room numbers in `rooms.png`, numbers from 0 in
+/// `locations.png`, else a picture whose rooms are white or coloured.
 /// @return row-major like the map: 0 = no room, k = room k
 /// @throws FileError if the file cannot be read, is not of the map's size or has too many rooms
-std::vector<std::uint16_t> readTrueRooms(const std::string& path, const MapGeometry& geometry);
+std::vector<std::uint16_t> readTrueRooms(const std::string& path, const OccupancyMap& map);
 
 /// True doors.
 struct TrueDoors {

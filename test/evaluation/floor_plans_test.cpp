@@ -65,6 +65,17 @@ TEST_F(FloorPlans, RealRobotsMapsScoreAsMeasured) {
   test::expectAsMeasured(score(cases), test::kRealMaps, RoomFloor::kFree);
 }
 
+// test/data/truth holds rooms and doors only, and names them as the maps
+TEST_F(FloorPlans, RealRobotsMapsWithRoomsDrawnByHandScoreAsMeasured) {
+  const std::string truth = AGRID_TEST_DATA "/truth";
+  std::vector<EvalCase> cases = tools::findEvalCases(path("real"), truth).cases;
+  cases.erase(std::remove_if(cases.begin(), cases.end(),
+                             [&](const EvalCase& one) { return one.rooms.rfind(truth, 0) != 0; }),
+              cases.end());
+  ASSERT_EQ(cases.size(), 3U);
+  test::expectAsMeasured(score(cases), test::kHandDrawnRooms, RoomFloor::kFree);
+}
+
 TEST_F(FloorPlans, OtherViewsOfThemScoreAsMeasured) {
   std::vector<EvalCase> cases;
   for (const EvalGroup group : {EvalGroup::kPlain, EvalGroup::kFurnished}) {

@@ -35,6 +35,10 @@ constexpr MeasuredScores kPaperOnPlainPlans{
 /// The maps of real robots with rooms in ../shared/maps/real; not all have true doors.
 constexpr MeasuredScores kRealMaps{"real", 0.3880, 0.4667, 0.5260, 0.8260, 0.7317, 0.3652, 0.6258};
 
+/// Those of ../shared/maps/real whose rooms and doors are drawn by hand in test/data/truth.
+constexpr MeasuredScores kHandDrawnRooms{
+    "real, drawn by hand", 0.7151, 0.7043, 0.7996, 0.9281, 0.9815, 0.7317, 0.8919};
+
 /// Drawn offices of 40 m a side, seeds 1 to 4.
 constexpr MeasuredScores kEmptyOffices{"empty", 0.9488, 0.9506, 0.9807,
                                        0.9907,  0.9843, 0.9604, 0.9410};

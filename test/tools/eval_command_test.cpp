@@ -138,6 +138,19 @@ TEST(EvalCommand, ReadsEveryFormatOfRoomsAlike) {
   EXPECT_EQ(iou("rooms.yaml"), white);
 }
 
+TEST(EvalCommand, PolygonsMayCoverWalls) {
+  const TemporaryFolder temp;
+  drawMapFolder(temp);
+  temp.write("office/rooms.yaml",
+             "- {name: left, polygon: [[0, 0], [4.1, 0], [4.1, 3.5], [0, 3.5]]}\n"
+             "- {name: right, polygon: [[4.1, 0], [8.5, 0], [8.5, 3.5], [4.1, 3.5]]}\n"
+             "- {name: wall, polygon: [[0, 3.5], [8.5, 3.5], [8.5, 4], [0, 4]]}\n");
+  ASSERT_EQ(eval({temp / "office", "--csv", temp / "scores.csv"}).code, kDone);
+  const std::string csv = test::contentsOf(temp / "scores.csv");
+  EXPECT_EQ(cell(csv, "office,", "rooms"), "2");
+  EXPECT_EQ(cell(csv, "office,", "door_recall"), "1.000000") << "nothing leads through the wall";
+}
+
 TEST(EvalCommand, DoorsFromFilesCountWhereTheyAre) {
   const TemporaryFolder temp;
   drawMapFolder(temp);
