@@ -2,6 +2,7 @@
 #include "areas/borders.h"
 
 #include <algorithm>
+#include <cstring>
 #include <tuple>
 #include <unordered_map>
 
@@ -45,19 +46,30 @@ void splitPair(const BorderPoint* begin, const BorderPoint* end, const MapGeomet
 
 std::vector<BorderPoint> findBorderPoints(const std::vector<std::uint32_t>& labels,
                                           const MapGeometry& geometry) {
+  const auto columns = static_cast<std::size_t>(geometry.width);
   std::vector<BorderPoint> points;
-  const auto compare = [&](std::size_t i, std::size_t j) {
-    const std::uint32_t a = labels[i];
-    const std::uint32_t b = labels[j];
-    if (a == b || a == Basins::kNone || b == Basins::kNone) return;
-    points.push_back({std::min(a, b), std::max(a, b), i, j});
-  };
-  for (int y = 0; y < geometry.height; ++y) {
-    for (int x = 0; x < geometry.width; ++x) {
-      const std::size_t i = geometry.index({x, y});
-      if (x + 1 < geometry.width) compare(i, i + 1);
-      if (y + 1 < geometry.height) compare(i, i + static_cast<std::size_t>(geometry.width));
+  std::vector<std::uint8_t> parts(columns);
+  // compares each pixel of a row with the one `step` further on; the first loop has no branches,
+  // so that the compiler can take several pixels at once
+  const auto compareRow = [&](std::size_t first, std::size_t count, std::size_t step) {
+    const std::uint32_t* row = labels.data() + first;
+    for (std::size_t x = 0; x < count; ++x) {
+      const std::uint32_t a = row[x];
+      const std::uint32_t b = row[x + step];
+      parts[x] = static_cast<std::uint8_t>((a != b) & (a != Basins::kNone) & (b != Basins::kNone));
     }
+    for (std::size_t x = 0; x < count; ++x) {
+      const void* found = std::memchr(&parts[x], 1, count - x);
+      if (!found) break;
+      x = static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - parts.data());
+      const std::size_t i = first + x;
+      points.push_back(
+          {std::min(row[x], row[x + step]), std::max(row[x], row[x + step]), i, i + step});
+    }
+  };
+  for (std::size_t first = 0; first < labels.size(); first += columns) {
+    compareRow(first, columns - 1, 1);
+    if (first + columns < labels.size()) compareRow(first, columns, columns);
   }
   std::sort(points.begin(), points.end(), [](const BorderPoint& p, const BorderPoint& q) {
     return std::tie(p.a, p.b, p.pixel, p.other) < std::tie(q.a, q.b, q.pixel, q.other);

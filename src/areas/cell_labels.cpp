@@ -14,52 +14,96 @@ struct Run {
   std::uint32_t length = 0;
 };
 
-/// A cell of the grid as it was found last; neighbouring pixels mostly share it.
-struct LastCell {
-  std::uint32_t index = 0;
-  Point2 low = Point2::Constant(1);
-  Point2 high = Point2::Zero();  ///< an empty cell to begin with
+/// A cell of the grid that follows a point; from one cell to the next it is a step.
+class CellCursor {
+ public:
+  explicit CellCursor(const AGrid& grid) : grid_(grid) {}
 
-  bool holds(const Point2& p) const {
-    return p.x() >= low.x() && p.y() >= low.y() && p.x() < high.x() && p.y() < high.y();
+  /// Moves to the cell that holds a point of the grid's frame; false if none does.
+  bool moveTo(const Point2& p) {
+    if (!isWithin(grid_.x(), p.x()) || !isWithin(grid_.y(), p.y())) return false;
+    move(grid_.x(), p.x(), column_);
+    move(grid_.y(), p.y(), row_);
+    return true;
   }
+  bool holds(const Point2& p) const {
+    return p.x() >= grid_.x()[column_] && p.y() >= grid_.y()[row_] &&
+           p.x() < grid_.x()[column_ + 1] && p.y() < grid_.y()[row_ + 1];
+  }
+  std::uint32_t index() const {
+    return static_cast<std::uint32_t>(
+        grid_.index({static_cast<int>(row_), static_cast<int>(column_)}));
+  }
+
+ private:
+  static bool isWithin(const std::vector<double>& edges, double value) {
+    return value >= edges.front() && value < edges.back();
+  }
+  static void move(const std::vector<double>& edges, double value, std::size_t& i) {
+    while (value < edges[i]) --i;
+    while (value >= edges[i + 1]) ++i;
+  }
+
+  const AGrid& grid_;
+  std::size_t column_ = 0;
+  std::size_t row_ = 0;
 };
 
-std::optional<LastCell> findCell(const AGrid& grid, const Point2& point_grid) {
-  const auto cell = grid.cellAtGridPoint(point_grid);
-  if (!cell) return std::nullopt;
-  const auto column = static_cast<std::size_t>(cell->column);
-  const auto row = static_cast<std::size_t>(cell->row);
-  return LastCell{static_cast<std::uint32_t>(grid.index(*cell)),
-                  {grid.x()[column], grid.y()[row]},
-                  {grid.x()[column + 1], grid.y()[row + 1]}};
+/// The first of the numbers from `begin` to `end` for which `holds` is false, or `end`; it is true
+/// for `begin`, and once false stays so.
+template <typename Predicate>
+int findEnd(int begin, int end, Predicate holds) {
+  int step = 1;
+  while (begin + step < end && holds(begin + step)) {
+    begin += step;
+    step *= 2;
+  }
+  end = std::min(begin + step, end);
+  while (end - begin > 1) {
+    const int middle = begin + (end - begin) / 2;
+    (holds(middle) ? begin : end) = middle;
+  }
+  return end;
 }
+
+/// From the grid's point of view: where the centre of pixel (0, 0) lies and how far it is from
+/// there to the next column and row.
+struct PixelRaster {
+  Point2 origin;
+  Point2 step_x;
+  Point2 step_y;
+
+  PixelRaster(const AGrid& grid, const MapGeometry& geometry) {
+    const Pose2 grid_from_map = inverse(grid.mapFromGrid());
+    origin = grid_from_map * geometry.center({0, 0});
+    step_x = grid_from_map * geometry.center({1, 0}) - origin;
+    step_y = grid_from_map * geometry.center({0, 1}) - origin;
+  }
+  Point2 center(int x, int y) const { return origin + step_x * x + step_y * y; }
+};
 
 std::vector<Run> collectRuns(const AGrid& grid, const MapGeometry& geometry,
                              const std::vector<std::uint16_t>& pixel_labels) {
   std::vector<Run> runs;
-  const Pose2 grid_from_map = inverse(grid.mapFromGrid());
-  const Point2 origin = grid_from_map * geometry.center({0, 0});
-  const Point2 step_x = grid_from_map * geometry.center({1, 0}) - origin;
-  const Point2 step_y = grid_from_map * geometry.center({0, 1}) - origin;
-  LastCell cell;
+  const PixelRaster raster(grid, geometry);
+  CellCursor cell(grid);
   for (int y = 0; y < geometry.height; ++y) {
-    const std::size_t first = geometry.index({0, y});
-    runs.push_back({});  // no run goes on from the row before
-    for (int x = 0; x < geometry.width; ++x) {
-      const std::uint16_t label = pixel_labels[first + static_cast<std::size_t>(x)];
-      if (label == 0) continue;
-      const Point2 point = origin + step_x * x + step_y * y;
-      if (!cell.holds(point)) {
-        const auto found = findCell(grid, point);
-        if (!found) continue;
-        cell = *found;
+    const std::uint16_t* row = pixel_labels.data() + geometry.index({0, y});
+    for (int x = 0; x < geometry.width;) {
+      const std::uint16_t label = row[x];
+      int end = x + 1;
+      while (end < geometry.width && row[end] == label) ++end;
+      while (label != 0 && x < end) {
+        const Point2 point = raster.center(x, y);
+        if (cell.moveTo(point)) {
+          const int next = findEnd(x, end, [&](int i) { return cell.holds(raster.center(i, y)); });
+          runs.push_back({cell.index(), label, static_cast<std::uint32_t>(next - x)});
+          x = next;
+        } else {
+          ++x;
+        }
       }
-      if (runs.back().label == label && runs.back().cell == cell.index) {
-        ++runs.back().length;
-      } else {
-        runs.push_back({cell.index, label, 1});
-      }
+      x = end;
     }
   }
   return runs;
@@ -82,7 +126,7 @@ std::vector<AreaId> labelCells(const AGrid& grid, const MapGeometry& geometry,
     while (end < runs.size() && runs[end].cell == run.cell && runs[end].label == run.label) {
       pixels += runs[end++].length;
     }
-    if (run.label == 0 || pixels <= most[run.cell]) continue;
+    if (pixels <= most[run.cell]) continue;
     most[run.cell] = pixels;
     cells[run.cell] = areas[run.label - 1U].id;
   }

@@ -32,6 +32,28 @@ TEST(SquaredDistances, AreThoseOfASearchOverAllMarkedPixels) {
   }
 }
 
+TEST(SquaredDistances, AreExactNearAndFarAndWhereBothMeet) {
+  std::mt19937 random(3);
+  for (std::size_t marks = 1; marks < 30; marks += 4) {
+    const MapGeometry geometry{701, 300, 1, {}};
+    std::vector<std::uint8_t> marked(geometry.pixelCount());
+    std::vector<Pixel> places;
+    for (std::size_t i = 0; i < marks; ++i) {
+      places.push_back(geometry.pixel(random() % marked.size()));
+      marked[geometry.index(places.back())] = 1;
+    }
+    const auto distances = squaredDistances(geometry, marked);
+    for (std::size_t i = 0; i < marked.size(); ++i) {
+      const Pixel p = geometry.pixel(i);
+      std::int32_t nearest = kFarSquared;
+      for (const Pixel q : places) {
+        nearest = std::min(nearest, (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y));
+      }
+      ASSERT_EQ(distances[i], nearest) << marks << " marks, pixel " << i;
+    }
+  }
+}
+
 TEST(SquaredDistances, CountThePixelsAroundTheMapIfTheyAreMarked) {
   std::mt19937 random(2);
   for (int trial = 0; trial < 50; ++trial) {
