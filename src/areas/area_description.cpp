@@ -8,6 +8,7 @@
 
 #include "areas/outline.h"
 #include "map/squared_distance.h"
+#include "tags/pixel_runs.h"
 
 namespace agrid {
 namespace {
@@ -20,24 +21,30 @@ struct Measures {
   std::int32_t squared_clearance_px = 0;
 };
 
-/// Adds a row of the map; rows come from the last to the first.
-void addRow(const OccupancyMap& map, const AreaLabels& labels, int y, const std::int32_t* squared,
-            std::vector<Measures>& measures) {
-  const std::size_t first = map.geometry().index({0, y});
-  const Occupancy* pixels = map.pixels().data() + first;
-  const std::uint32_t* row = labels.of_pixel.data() + first;
-  for (int x = 0; x < map.geometry().width; ++x) {
-    if (row[x] == AreaLabels::kNone || pixels[x] != Occupancy::kFree) continue;
-    Measures& m = measures[row[x]];
-    m.low = {std::min(m.low.x, x), y};
-    m.high = {std::max(m.high.x, x), std::max(m.high.y, y)};
-    ++m.size_px;
-    const std::int32_t highest = m.squared_clearance_px;
-    // of equal ones the first in row-major order
-    if (squared[x] < highest || (squared[x] == highest && m.anchor.y == y)) continue;
-    m.squared_clearance_px = squared[x];
-    m.anchor = {x, y};
+/// Adds the free pixels of a run of row `y`; rows come from the last to the first, the runs of a
+/// row from the left.
+void addPixels(const Occupancy* pixels, const std::int32_t* squared, cv::Range run, int y,
+               Measures& m) {
+  int size = 0;
+  int last = 0;
+  Pixel anchor{0, y};
+  std::int32_t highest = -1;
+  for (int x = run.start; x < run.end; ++x) {
+    if (pixels[x] != Occupancy::kFree) continue;
+    if (size++ == 0) m.low = {std::min(m.low.x, x), y};
+    last = x;
+    if (squared[x] <= highest) continue;
+    highest = squared[x];
+    anchor.x = x;
   }
+  if (size == 0) return;
+  m.high = {std::max(m.high.x, last), std::max(m.high.y, y)};
+  m.size_px += static_cast<std::size_t>(size);
+  // of several as good the first in row-major order
+  if (highest < m.squared_clearance_px) return;
+  if (highest == m.squared_clearance_px && m.anchor.y == y) return;
+  m.squared_clearance_px = highest;
+  m.anchor = anchor;
 }
 
 std::vector<Measures> measure(const OccupancyMap& map, const AreaLabels& labels) {
@@ -46,8 +53,15 @@ std::vector<Measures> measure(const OccupancyMap& map, const AreaLabels& labels)
   std::vector<Measures> measures(labels.tags.size());
   forEachRowOfSquaredDistances(
       map.geometry(), reinterpret_cast<const std::uint8_t*>(map.pixels().data()),
-      Surroundings::kMarked,
-      [&](int y, const std::int32_t* squared) { addRow(map, labels, y, squared, measures); });
+      Surroundings::kMarked, [&](int y, const std::int32_t* squared) {
+        const std::size_t first = map.geometry().index({0, y});
+        const Occupancy* pixels = map.pixels().data() + first;
+        forEachRun(labels.of_pixel.data() + first, map.geometry().width,
+                   [&](int begin, int end, std::uint32_t label) {
+                     if (label == AreaLabels::kNone) return;
+                     addPixels(pixels, squared, {begin, end}, y, measures[label]);
+                   });
+      });
   return measures;
 }
 

@@ -11,6 +11,7 @@
 #include "areas/paper_watershed.h"
 #include "areas/seeded_flood.h"
 #include "tags/pixel_neighbours.h"
+#include "tags/pixel_runs.h"
 
 namespace agrid {
 namespace {
@@ -85,9 +86,15 @@ void handOver(const std::vector<std::size_t>& open, const MapGeometry& geometry,
 void dropAreas(const OccupancyMap& map, AreaLabels& labels) {
   const std::size_t count = labels.tags.size();
   std::vector<std::size_t> sizes(count);
-  for (std::size_t i = 0; i < labels.of_pixel.size(); ++i) {
-    const std::uint32_t label = labels.of_pixel[i];
-    if (label != kNone && map.pixels()[i] == Occupancy::kFree) ++sizes[label];
+  const MapGeometry& geometry = map.geometry();
+  for (int y = 0; y < geometry.height; ++y) {
+    const Occupancy* pixels = map.pixels().data() + geometry.index({0, y});
+    const std::uint32_t* row = labels.of_pixel.data() + geometry.index({0, y});
+    forEachRun(row, geometry.width, [&](int begin, int end, std::uint32_t label) {
+      if (label == kNone) return;
+      const auto free = std::count(pixels + begin, pixels + end, Occupancy::kFree);
+      sizes[label] += static_cast<std::size_t>(free);
+    });
   }
   std::vector<std::uint32_t> order(count);
   for (std::uint32_t i = 0; i < count; ++i) order[i] = i;

@@ -20,12 +20,12 @@ namespace agrid {
 namespace {
 
 std::vector<std::uint16_t> labelsOnFreePixels(const OccupancyMap& map, const AreaLabels& labels) {
-  std::vector<std::uint16_t> result(map.pixels().size(), 0);
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const std::uint32_t label = labels.of_pixel[i];
-    if (label == AreaLabels::kNone || map.pixels()[i] != Occupancy::kFree) continue;
-    result[i] = static_cast<std::uint16_t>(label + 1);
-  }
+  static_assert(AreaLabels::kNone + 1 == 0, "no area becomes 0");
+  std::vector<std::uint16_t> result(map.pixels().size());
+  std::transform(labels.of_pixel.begin(), labels.of_pixel.end(), map.pixels().begin(),
+                 result.begin(), [](std::uint32_t label, Occupancy pixel) {
+                   return static_cast<std::uint16_t>(pixel == Occupancy::kFree ? label + 1 : 0);
+                 });
   return result;
 }
 

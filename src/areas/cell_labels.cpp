@@ -2,7 +2,8 @@
 #include "areas/cell_labels.h"
 
 #include <algorithm>
-#include <optional>
+
+#include "tags/pixel_runs.h"
 
 namespace agrid {
 namespace {
@@ -89,22 +90,17 @@ std::vector<Run> collectRuns(const AGrid& grid, const MapGeometry& geometry,
   CellCursor cell(grid);
   for (int y = 0; y < geometry.height; ++y) {
     const std::uint16_t* row = pixel_labels.data() + geometry.index({0, y});
-    for (int x = 0; x < geometry.width;) {
-      const std::uint16_t label = row[x];
-      int end = x + 1;
-      while (end < geometry.width && row[end] == label) ++end;
-      while (label != 0 && x < end) {
-        const Point2 point = raster.center(x, y);
-        if (cell.moveTo(point)) {
-          const int next = findEnd(x, end, [&](int i) { return cell.holds(raster.center(i, y)); });
-          runs.push_back({cell.index(), label, static_cast<std::uint32_t>(next - x)});
-          x = next;
-        } else {
+    forEachRun(row, geometry.width, [&](int begin, int end, std::uint16_t label) {
+      for (int x = begin; label != 0 && x < end;) {
+        if (!cell.moveTo(raster.center(x, y))) {
           ++x;
+          continue;
         }
+        const int next = findEnd(x, end, [&](int i) { return cell.holds(raster.center(i, y)); });
+        runs.push_back({cell.index(), label, static_cast<std::uint32_t>(next - x)});
+        x = next;
       }
-      x = end;
-    }
+    });
   }
   return runs;
 }

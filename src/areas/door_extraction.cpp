@@ -9,6 +9,7 @@
 
 #include "areas/borders.h"
 #include "tags/narrowing.h"
+#include "tags/pixel_runs.h"
 
 namespace agrid {
 namespace {
@@ -18,12 +19,7 @@ class DoorFinder {
   DoorFinder(const AreaLabels& labels, const Relief& relief, const MapGeometry& geometry,
              const AreaParams& params)
       : labels_(labels), relief_(relief), geometry_(geometry), params_(params) {
-    peaks_.assign(labels.tags.size(), 0);
-    for (std::size_t i = 0; i < labels.of_pixel.size(); ++i) {
-      if (labels.of_pixel[i] == AreaLabels::kNone) continue;
-      float& peak = peaks_[labels.of_pixel[i]];
-      peak = std::max(peak, relief.height.ptr<float>()[i]);
-    }
+    findPeaks();
     sortPoints();
   }
 
@@ -69,6 +65,18 @@ class DoorFinder {
   }
 
  private:
+  void findPeaks() {
+    peaks_.assign(labels_.tags.size(), 0);
+    for (int y = 0; y < geometry_.height; ++y) {
+      const float* height = relief_.height[y];
+      const std::uint32_t* row = labels_.of_pixel.data() + geometry_.index({0, y});
+      forEachRun(row, geometry_.width, [&](int begin, int end, std::uint32_t label) {
+        if (label == AreaLabels::kNone) return;
+        peaks_[label] = std::max(peaks_[label], *std::max_element(height + begin, height + end));
+      });
+    }
+  }
+
   /// Parts the border points that touch a barrier from the others.
   void sortPoints() {
     std::unordered_map<std::size_t, std::size_t> barrier_of;

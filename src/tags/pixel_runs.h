@@ -24,4 +24,13 @@ std::vector<PixelRun> findRuns(const cv::Mat1b& image, std::uint8_t value);
 /// @param by_corners  whether pixels that touch by a corner only hang together (8-connected)
 std::vector<std::uint32_t> connectRuns(const std::vector<PixelRun>& runs, bool by_corners);
 
+/// Calls f(begin, end, value) for each run of equal values of a row, from the left.
+template <typename T, typename F>
+void forEachRun(const T* row, int columns, F f) {
+  for (int begin = 0, end = 0; begin < columns; begin = end) {
+    while (end < columns && row[end] == row[begin]) ++end;
+    f(begin, end, row[begin]);
+  }
+}
+
 }  // namespace agrid
