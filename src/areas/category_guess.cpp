@@ -69,26 +69,46 @@ bool isCorridor(const AreaShape& shape) {
          (hallway || winding);
 }
 
-std::vector<AreaShape> measureShapes(const AreaLabels& labels, const Relief& relief,
-                                     double resolution) {
-  std::vector<AreaShape> shapes(labels.tags.size());
-  std::vector<std::size_t> pixels(shapes.size());
-  for (std::size_t i = 0; i < labels.of_pixel.size(); ++i) {
-    const std::uint32_t label = labels.of_pixel[i];
+/// Sums over the pixels of an area, from centre to centre.
+struct Sums {
+  std::size_t pixels = 0;
+  double heights = 0;  // [px]
+  float highest = 0;   // [px]
+};
+
+/// Adds a row of the map, one run of equal labels after another.
+void addRow(const std::uint32_t* labels, const float* heights, int width, std::vector<Sums>& sums) {
+  for (int x = 0; x < width;) {
+    const std::uint32_t label = labels[x];
+    const int begin = x;
+    double sum = 0;
+    float highest = 0;
+    for (; x < width && labels[x] == label; ++x) {
+      sum += static_cast<double>(heights[x]);
+      highest = std::max(highest, heights[x]);
+    }
     if (label == AreaLabels::kNone) continue;
-    // from centre to centre; the wall begins half a pixel before
-    const double clearance = std::max(
-        static_cast<double>(relief.height.begin()[static_cast<std::ptrdiff_t>(i)]) - 0.5, 0.0);
-    AreaShape& shape = shapes[label];
-    ++pixels[label];
-    shape.mean_clearance += clearance;
-    shape.max_clearance = std::max(shape.max_clearance, clearance);
+    Sums& area = sums[label];
+    area.pixels += static_cast<std::size_t>(x - begin);
+    area.heights += sum;
+    area.highest = std::max(area.highest, highest);
   }
-  for (std::size_t k = 0; k < shapes.size(); ++k) {
-    const double count = static_cast<double>(std::max<std::size_t>(pixels[k], 1));
-    shapes[k].size = count * resolution * resolution;
-    shapes[k].mean_clearance *= resolution / count;
-    shapes[k].max_clearance *= resolution;
+}
+
+std::vector<AreaShape> measureShapes(const AreaLabels& labels, const cv::Mat1f& height,
+                                     double resolution) {
+  std::vector<Sums> sums(labels.tags.size());
+  const std::uint32_t* row = labels.of_pixel.data();
+  for (int y = 0; y < height.rows; ++y, row += height.cols) {
+    addRow(row, height[y], height.cols, sums);
+  }
+  std::vector<AreaShape> shapes;
+  for (const Sums& area : sums) {
+    const auto pixels = static_cast<double>(std::max<std::size_t>(area.pixels, 1));
+    // the wall begins half a pixel before the centre of its first pixel
+    const auto meters = [&](double px) { return std::max(px - 0.5, 0.0) * resolution; };
+    shapes.push_back({pixels * resolution * resolution, meters(area.heights / pixels),
+                      meters(static_cast<double>(area.highest)), 0});
   }
   return shapes;
 }
@@ -107,7 +127,7 @@ void guessCategories(const AreaLabels& labels, const Relief& relief, double reso
   for (const Door& door : doors) {
     for (const AreaId id : door.areas) ++door_count[id];
   }
-  const std::vector<AreaShape> shapes = measureShapes(labels, relief, resolution);
+  const std::vector<AreaShape> shapes = measureShapes(labels, relief.height, resolution);
   for (std::size_t k = 0; k < areas.size(); ++k) {
     AreaShape shape = shapes[k];
     shape.doors = door_count[areas[k].id];
