@@ -12,13 +12,14 @@ std::vector<PixelRun> findRuns(const cv::Mat1b& image, std::uint8_t value) {
   for (int y = 0; y < image.rows; ++y) {
     const std::uint8_t* row = image[y];
     const std::uint8_t* end = row + image.cols;
-    for (const std::uint8_t* p = row; p != end;) {
-      const void* found = std::memchr(p, value, static_cast<std::size_t>(end - p));
-      if (!found) break;
-      const auto* begin = static_cast<const std::uint8_t*>(found);
-      p = begin;
-      while (p != end && *p == value) ++p;
-      runs.push_back({y, static_cast<int>(begin - row), static_cast<int>(p - row)});
+    const auto find = [&](const std::uint8_t* from, int wanted) {
+      const void* found = std::memchr(from, wanted, static_cast<std::size_t>(end - from));
+      return found ? static_cast<const std::uint8_t*>(found) : end;
+    };
+    for (const std::uint8_t* begin = find(row, value); begin != end;) {
+      const std::uint8_t* past = find(begin, 1 - value);
+      runs.push_back({y, static_cast<int>(begin - row), static_cast<int>(past - row)});
+      begin = find(past, value);
     }
   }
   return runs;

@@ -15,7 +15,7 @@ struct PixelRun {
   int end = 0;  ///< one past the last
 };
 
-/// All runs of `value`, row by row from the left.
+/// All runs of `value` in an image of 0 and 1, row by row from the left.
 std::vector<PixelRun> findRuns(const cv::Mat1b& image, std::uint8_t value);
 
 /// For each run the number of its connected component. Components are counted from 0 in the order
