@@ -56,7 +56,8 @@ TEST(Pipeline, FindsTheAreasThatProposingAndGrowingFindOneAfterTheOther) {
   area.seed_map = annotate(structure, {}, PipelineParams()).area_map.areas.front().anchor_map;
   DoorTag door;
   door.pose_map = {annotate(structure, {}, PipelineParams()).area_map.areas.back().anchor_map, 0.4};
-  for (const AreaMethod method : {AreaMethod::kPersistence, AreaMethod::kPaper}) {
+  for (const AreaMethod method :
+       {AreaMethod::kBorders, AreaMethod::kPersistence, AreaMethod::kPaper}) {
     PipelineParams params;
     params.areas.method = method;
     std::vector<Tag> tags{area, door};

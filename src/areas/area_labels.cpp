@@ -10,7 +10,7 @@
 
 #include "areas/paper_watershed.h"
 #include "areas/seeded_flood.h"
-#include "tags/pixel_neighbours.h"
+#include "tags/hand_over.h"
 #include "tags/pixel_runs.h"
 
 namespace agrid {
@@ -62,24 +62,6 @@ std::vector<std::size_t> acceptSeeds(std::vector<AreaTag> tags, const Relief& re
     }
   }
   return seeds;
-}
-
-/// Gives each of some pixels to the area that is nearest over these pixels.
-void handOver(const std::vector<std::size_t>& open, const MapGeometry& geometry,
-              std::vector<std::uint32_t>& labels) {
-  std::vector<std::pair<std::size_t, std::uint32_t>> found;
-  do {
-    found.clear();
-    for (const std::size_t i : open) {
-      std::uint32_t label = labels[i];
-      for (const Pixel step : kNeighbours) {
-        const Pixel q = geometry.pixel(i) + step;
-        if (label == kNone && geometry.contains(q)) label = labels[geometry.index(q)];
-      }
-      if (labels[i] == kNone && label != kNone) found.emplace_back(i, label);
-    }
-    for (const auto& [i, label] : found) labels[i] = label;
-  } while (!found.empty());
 }
 
 /// Leaves out the areas without a free pixel and, beyond what a label can count, the smallest.
@@ -140,6 +122,7 @@ AreaLabels growAreas(const OccupancyMap& map, const Relief& relief, Division div
                      const std::vector<Tag>& tags, const AreaParams& params) {
   AreaLabels labels;
   const MapGeometry& geometry = map.geometry();
+  labels.openings = std::move(division.openings);
   const auto seeds = acceptSeeds(numberTags(tags), relief, geometry, labels);
   labels.of_pixel =
       params.method == AreaMethod::kPaper

@@ -19,6 +19,7 @@ struct AreaLabels {
   std::vector<AreaTag> tags;  ///< what each area grew from, sorted by id, named
   /// Row-major: index into `tags`, or kNone. Clutter in an area is part of it, barriers too.
   std::vector<std::uint32_t> of_pixel;
+  Openings openings;  ///< that the borders between areas may lie on
   std::vector<std::string> warnings;
 };
 

@@ -7,9 +7,9 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "areas/borders.h"
-#include "tags/narrowing.h"
-#include "tags/pixel_runs.h"
+#include "tags/borders.h"
+#include "tags/region_graph.h"
+#include "tags/separation.h"
 
 namespace agrid {
 namespace {
@@ -18,10 +18,13 @@ class DoorFinder {
  public:
   DoorFinder(const AreaLabels& labels, const Relief& relief, const MapGeometry& geometry,
              const AreaParams& params)
-      : labels_(labels), relief_(relief), geometry_(geometry), params_(params) {
-    findPeaks();
-    sortPoints();
-  }
+      : labels_(labels),
+        relief_(relief),
+        geometry_(geometry),
+        params_(params),
+        stretches_(findOpenStretches()),
+        graph_(labels.of_pixel, labels.tags.size(), stretches_,
+               BorderSurvey(relief, labels.openings, geometry)) {}
 
   /// The doors of the barriers that have two areas beside them; the others' numbers go to `unused`.
   std::vector<Door> ofBarriers(std::vector<std::size_t>& unused) const {
@@ -33,8 +36,10 @@ class DoorFinder {
       }
       const Barrier& barrier = relief_.barriers[i];
       const BorderPoint& sides = mostFrequentSides(at_barrier_[i]);
-      const double height_px = barrier.jambs_map.length() / geometry_.resolution / 2;
-      Door door = between(sides, barrier.jambs_map, height_px);
+      Door door = between(sides, barrier.jambs_map);
+      const double lower_clearance =
+          std::min(graph_.shape(sides.a).clearance, graph_.shape(sides.b).clearance);
+      door.confidence = std::clamp(1 - door.width / 2 / lower_clearance, 0., 1.);
       door.id = barrier.tag.id;
       door.name = barrier.tag.name;
       door.state = barrier.tag.state;
@@ -51,58 +56,35 @@ class DoorFinder {
 
   std::vector<Door> ofOpenBorders() const {
     std::vector<Door> doors;
-    for (const Stretch& stretch : splitIntoStretches(open_points_, geometry_)) {
-      if (extentOf(stretch, geometry_) * geometry_.resolution < params_.min_border_length) continue;
-      const std::size_t center = farthestFromWalls(stretch);
-      const Segment jambs_px = findNarrowing(geometry_.pixel(center), relief_.height);
+    for (std::size_t i = 0; i < stretches_.size(); ++i) {
+      const BorderProfile& profile = graph_.profiles()[i];
+      if (profile.extent < params_.min_border_length) continue;
       const auto inMap = [&](const Point2& point_px) {
         return Point2(geometry_.map_from_image * Point2(point_px * geometry_.resolution));
       };
-      const Segment jambs_map{inMap(jambs_px.a), inMap(jambs_px.b)};
-      doors.push_back(between(stretch.front(), jambs_map, heightAt(center)));
+      const BorderPoint& sides = stretches_[i].front();
+      Door door = between(sides, {inMap(profile.jambs_px.a), inMap(profile.jambs_px.b)});
+      door.confidence = separation(graph_.measure(sides.a, sides.b));
+      doors.push_back(std::move(door));
     }
     return doors;
   }
 
  private:
-  void findPeaks() {
-    peaks_.assign(labels_.tags.size(), 0);
-    for (int y = 0; y < geometry_.height; ++y) {
-      const float* height = relief_.height[y];
-      const std::uint32_t* row = labels_.of_pixel.data() + geometry_.index({0, y});
-      forEachRun(row, geometry_.width, [&](int begin, int end, std::uint32_t label) {
-        if (label == AreaLabels::kNone) return;
-        peaks_[label] = std::max(peaks_[label], *std::max_element(height + begin, height + end));
-      });
-    }
-  }
-
-  /// Parts the border points that touch a barrier from the others.
-  void sortPoints() {
+  /// The borders that touch no barrier; the points of those that do go to their barriers.
+  std::vector<Stretch> findOpenStretches() {
     std::unordered_map<std::size_t, std::size_t> barrier_of;
     for (std::size_t i = 0; i < relief_.barriers.size(); ++i) {
       for (const std::size_t pixel : relief_.barriers[i].pixels) barrier_of.emplace(pixel, i);
     }
     at_barrier_.resize(relief_.barriers.size());
+    std::vector<BorderPoint> open_points;
     for (const BorderPoint& point : findBorderPoints(labels_.of_pixel, geometry_)) {
       auto barrier = barrier_of.find(point.pixel);
       if (barrier == barrier_of.end()) barrier = barrier_of.find(point.other);
-      (barrier == barrier_of.end() ? open_points_ : at_barrier_[barrier->second]).push_back(point);
+      (barrier == barrier_of.end() ? open_points : at_barrier_[barrier->second]).push_back(point);
     }
-  }
-
-  double heightAt(std::size_t pixel) const { return relief_.height.ptr<float>()[pixel]; }
-
-  /// The lower pixel of the border's highest point.
-  std::size_t farthestFromWalls(const Stretch& stretch) const {
-    const auto lower = [&](const BorderPoint& point) {
-      return heightAt(point.pixel) <= heightAt(point.other) ? point.pixel : point.other;
-    };
-    std::size_t farthest = lower(stretch.front());
-    for (const BorderPoint& point : stretch) {
-      if (heightAt(lower(point)) > heightAt(farthest)) farthest = lower(point);
-    }
-    return farthest;
+    return splitIntoStretches(open_points, geometry_);
   }
 
   static const BorderPoint& mostFrequentSides(const Stretch& points) {
@@ -115,14 +97,12 @@ class DoorFinder {
     return *most;
   }
 
-  Door between(const BorderPoint& sides, const Segment& jambs_map, double height_px) const {
+  Door between(const BorderPoint& sides, const Segment& jambs_map) const {
     Door door;
     door.jambs_map = jambs_map;
     door.width = jambs_map.length();
     door.kind = door.width <= params_.max_door_width ? DoorKind::kDoor : DoorKind::kPassage;
     door.areas = {labels_.tags[sides.a].id, labels_.tags[sides.b].id};
-    const double peak_px = std::min(peaks_[sides.a], peaks_[sides.b]);
-    door.confidence = std::clamp(1 - height_px / peak_px, 0., 1.);
     return door;
   }
 
@@ -130,9 +110,9 @@ class DoorFinder {
   const Relief& relief_;
   const MapGeometry& geometry_;
   const AreaParams& params_;
-  std::vector<float> peaks_;  ///< of each area [px]
-  std::vector<Stretch> at_barrier_;
-  std::vector<BorderPoint> open_points_;
+  std::vector<Stretch> at_barrier_;  ///< filled by findOpenStretches
+  std::vector<Stretch> stretches_;
+  RegionGraph graph_;
 };
 
 void numberDoors(std::vector<Door>& doors) {

@@ -47,7 +47,13 @@ struct Near {
 /// Pairs farther apart than that are all alike: one of them must not decide over many near ones.
 double farthest(double tolerance) { return 10 * tolerance; }
 
-DoorScores pairDoors(const std::vector<Near>& near, DoorScores scores, double tolerance) {
+/// Pairs doors with true doors and counts the pairs within the tolerance.
+DoorScores pairDoors(const std::vector<Near>& near, std::size_t doors, std::size_t true_doors,
+                     double tolerance) {
+  DoorScores scores;
+  scores.doors = doors;
+  scores.borders = true_doors;
+  scores.is_true.resize(doors);
   std::vector<PairValue> candidates;
   for (const Near& pair : near) {
     const double value = farthest(tolerance) - pair.distance;
@@ -55,7 +61,9 @@ DoorScores pairDoors(const std::vector<Near>& near, DoorScores scores, double to
   }
   double hits = 0;
   for (const PairValue& pair : assignAtMostValue(candidates)) {
-    hits += pair.value >= farthest(tolerance) - tolerance ? 1 : 0;
+    if (pair.value < farthest(tolerance) - tolerance) continue;
+    scores.is_true[pair.row] = true;
+    ++hits;
   }
   if (scores.doors > 0) scores.precision = hits / static_cast<double>(scores.doors);
   if (scores.borders > 0) scores.recall = hits / static_cast<double>(scores.borders);
@@ -87,7 +95,7 @@ DoorScores scoreDoors(const OccupancyMap& map, const std::vector<Segment>& doors
       near.push_back({d, b, nearest});
     }
   }
-  return pairDoors(near, {0, 0, doors_map.size(), borders.size()}, tolerance);
+  return pairDoors(near, doors_map.size(), borders.size(), tolerance);
 }
 
 DoorScores scoreDoors(const std::vector<Segment>& doors_map,
@@ -103,7 +111,7 @@ DoorScores scoreDoors(const std::vector<Segment>& doors_map,
       near.push_back({d, t, distanceTo(true_doors_map[t], middle)});
     }
   }
-  return pairDoors(near, {0, 0, doors_map.size(), true_doors_map.size()}, tolerance);
+  return pairDoors(near, doors_map.size(), true_doors_map.size(), tolerance);
 }
 
 }  // namespace agrid

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "agrid/map/occupancy_map.h"
-#include "areas/borders.h"
+#include "tags/borders.h"
 
 namespace agrid {
 

@@ -26,12 +26,13 @@ void addWalls(Table& table, agrid::WallParams& p) {
 }
 
 void addAreas(Table& table, agrid::AreaParams& p) {
-  table.push_back({"area_method", ChoiceField{{"persistence", "paper"}, [&p](std::size_t i) {
-                                                p.method = i == 0 ? agrid::AreaMethod::kPersistence
-                                                                  : agrid::AreaMethod::kPaper;
-                                              }}});
+  table.push_back(
+      {"area_method",
+       ChoiceField{{agrid::kAreaMethodNames.begin(), agrid::kAreaMethodNames.end()},
+                   [&p](std::size_t i) { p.method = static_cast<agrid::AreaMethod>(i); }}});
   table.push_back({"max_clutter_diagonal", NumberField{&p.max_clutter_diagonal, 0, 100}});
   table.push_back({"min_island_size", NumberField{&p.min_island_size, 0, 1e6}});
+  table.push_back({"min_separation", NumberField{&p.min_separation, 0, 1}});
   table.push_back({"merge_ratio", NumberField{&p.merge_ratio, 1e-3, 1}});
   table.push_back({"min_prominence", NumberField{&p.min_prominence, 0, 100}});
   table.push_back({"min_area_size", NumberField{&p.min_area_size, 0, 1e6}});

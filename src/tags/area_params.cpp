@@ -30,6 +30,7 @@ void validate(const AreaParams& params) {
   for (const Bounds& bounds : {
            Bounds{"max_clutter_diagonal", params.max_clutter_diagonal, 0, 100},
            Bounds{"min_island_size", params.min_island_size, 0, 1e6},
+           Bounds{"min_separation", params.min_separation, 0, 1},
            Bounds{"merge_ratio", params.merge_ratio, 1e-3, 1},
            Bounds{"min_prominence", params.min_prominence, 0, 100},
            Bounds{"min_area_size", params.min_area_size, 0, 1e6},

@@ -6,6 +6,7 @@
 
 #include "agrid/tags/tag_proposal.h"
 #include "tags/basins.h"
+#include "tags/openings.h"
 #include "tags/relief.h"
 
 namespace agrid {
@@ -14,9 +15,11 @@ namespace agrid {
 struct Division {
   Basins basins;
   std::vector<std::uint32_t> area_of;  ///< for each basin, the highest basin of its area
+  Openings openings;                   ///< that basins were cut at; none for kPersistence
 };
 
-/// Finds the basins of a relief and merges those that make one area.
+/// Finds the basins of a relief and merges those that make one area. This is where to try another
+/// idea of what an area is.
 /// @return nothing for AreaMethod::kPaper, whose areas grow along the contours
 Division divide(const Relief& relief, double resolution, const AreaParams& params);
 

@@ -60,6 +60,16 @@ ViewScores scoreView(const OccupancyMap& map, const AreaMap& areas, const Labels
   return scores;
 }
 
+std::vector<JudgedDoor> judge(const AreaMap& areas, const ViewScores& scores) {
+  std::vector<JudgedDoor> judged;
+  if (!scores.doors_complete) return judged;
+  for (const Door& door : doorsBetweenAreas(areas)) {
+    judged.push_back({static_cast<std::uint32_t>(door.id), door.kind, door.width, door.confidence,
+                      scores.doors.is_true[judged.size()]});
+  }
+  return judged;
+}
+
 }  // namespace
 
 std::vector<View> evalViews(bool robustness) {
@@ -89,6 +99,7 @@ CaseScores scoreCase(const EvalCase& about, const ConversionParams& params,
         annotate(extractStructure(seen, params.pipeline), {}, params.pipeline);
     const Labels labels = labelsOn(map->geometry(), seen->geometry(), found.area_map.pixel_labels);
     scores.views.push_back(scoreView(*map, found.area_map, labels, truth));
+    if (scores.views.size() == 1) scores.doors = judge(found.area_map, scores.views.front());
   }
   return scores;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "agrid/areas/area_map.h"
 #include "agrid/evaluation/scores.h"
 #include "agrid/map/occupancy_map.h"
 #include "tools/eval_cases.h"
@@ -28,9 +30,19 @@ struct ViewScores {
   bool doors_complete = true;  ///< whether the precision of the doors says something
 };
 
+/// A border between two areas, compared with the truth.
+struct JudgedDoor {
+  std::uint32_t id = 0;  ///< as in graph.json of `convert`
+  DoorKind kind = DoorKind::kDoor;
+  double width = 0;  ///< [m]
+  double confidence = 0;
+  bool is_true = false;
+};
+
 struct CaseScores {
   EvalCase about;
-  std::vector<ViewScores> views;      ///< in the order of the views
+  std::vector<ViewScores> views;  ///< in the order of the views
+  std::vector<JudgedDoor> doors;  ///< in the first view; none if the true ones are not all known
   std::vector<std::string> warnings;  ///< of the map's file
 };
 

@@ -83,6 +83,18 @@ Names truthFolders(const std::string& folder, const std::string& truth_folder) {
 
 }  // namespace
 
+const char* nameOf(EvalGroup group) {
+  switch (group) {
+    case EvalGroup::kPlain:
+      return "plain";
+    case EvalGroup::kFurnished:
+      return "furnished";
+    case EvalGroup::kFolder:
+      break;
+  }
+  return "folder";
+}
+
 EvalCases findEvalCases(const std::string& folder, const std::string& truth_folder) {
   EvalCases found;
   // A trailing slash would leave a folder without a name.

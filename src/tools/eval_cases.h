@@ -13,6 +13,9 @@ enum class EvalGroup {
   kFolder,     ///< a map in a folder of its own
 };
 
+/// What tables and files call it: "plain", "furnished", "folder".
+const char* nameOf(EvalGroup group);
+
 /// A map with its truth.
 struct EvalCase {
   std::string name;

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+
+#include "tools/table_text.h"
 
 namespace agrid::tools {
 namespace {
 
-using Row = std::vector<std::string>;
+using Row = TableRow;
 using Numbers = std::vector<double>;
 
 constexpr double kNone = -2;  // no score is that low
@@ -16,48 +17,7 @@ constexpr double kNone = -2;  // no score is that low
 constexpr std::array<EvalGroup, 3> kGroups{EvalGroup::kPlain, EvalGroup::kFurnished,
                                            EvalGroup::kFolder};
 
-const char* nameOf(EvalGroup group) {
-  switch (group) {
-    case EvalGroup::kPlain:
-      return "plain";
-    case EvalGroup::kFurnished:
-      return "furnished";
-    case EvalGroup::kFolder:
-      break;
-  }
-  return "folder";
-}
-
-std::string text(const char* format, double value) {
-  char digits[64];
-  std::snprintf(digits, sizeof digits, format, value);
-  return digits;
-}
-
-std::string score(double value) { return value == kNone ? "-" : text("%.4f", value); }
-
-/// Markdown with columns of even width; the first one is text, the others numbers.
-std::string markdown(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  }
-  std::string table;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    table += "|";
-    for (std::size_t i = 0; i < rows[r].size(); ++i) {
-      const std::string padding(widths[i] - rows[r][i].size(), ' ');
-      table += " " + (i == 0 ? rows[r][i] + padding : padding + rows[r][i]) + " |";
-    }
-    table += "\n";
-    if (r > 0) continue;
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-      table += "|" + std::string(widths[i] + 1, '-') + (i == 0 ? "-" : ":");
-    }
-    table += "|\n";
-  }
-  return table;
-}
+std::string score(double value) { return value == kNone ? "-" : formatted("%.4f", value); }
 
 std::vector<const CaseScores*> ofGroup(const std::vector<CaseScores>& scores, EvalGroup group) {
   std::vector<const CaseScores*> chosen;
@@ -92,7 +52,7 @@ constexpr std::size_t kScoreColumns = 7;
 Row rowOf(const std::string& name, const Numbers& numbers, const char* count_format) {
   Row row{name};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    row.push_back(i < kScoreColumns ? score(numbers[i]) : text(count_format, numbers[i]));
+    row.push_back(i < kScoreColumns ? score(numbers[i]) : formatted(count_format, numbers[i]));
   }
   return row;
 }
@@ -123,7 +83,7 @@ std::string groupTable(const std::vector<const CaseScores*>& scores, EvalGroup g
     rows.push_back(rowOf(one->about.name, all.back(), "%.0f"));
   }
   rows.push_back(rowOf("mean of " + std::to_string(all.size()), meanOf(all), "%.1f"));
-  return markdown(rows);
+  return markdownTable(rows);
 }
 
 double meanCorrelation(const std::vector<const CaseScores*>& scores, std::size_t view) {
@@ -132,21 +92,13 @@ double meanCorrelation(const std::vector<const CaseScores*>& scores, std::size_t
   return sum / static_cast<double>(scores.size());
 }
 
-/// A field of a CSV file, in quotes if it needs them.
-std::string field(const std::string& value) {
-  if (value.find_first_of(",\"\n") == std::string::npos) return value;
-  std::string quoted = "\"";
-  for (const char c : value) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csvNumbers(const ViewScores& view) {
   const AreaScores& areas = view.areas;
   std::string line;
   for (const double value :
        {areas.iou_all, areas.iou_rooms, areas.mcc, areas.f1_50, areas.recall, areas.precision,
         areas.recall_free, areas.precision_free, doorPrecision(view), view.doors.recall}) {
-    line += "," + (value == kNone ? std::string() : text("%.6f", value));
+    line += "," + (value == kNone ? std::string() : formatted("%.6f", value));
   }
   for (const std::size_t count : {areas.areas, areas.rooms, areas.over_segmented,
                                   areas.under_segmented, view.doors.doors, view.doors.borders}) {
@@ -179,10 +131,10 @@ std::string robustnessTable(const std::vector<CaseScores>& scores, const std::ve
     for (std::size_t v = 0; v < views.size(); ++v) {
       const double mean = meanCorrelation(chosen, v);
       rows[v + 1].push_back(score(mean));
-      rows[v + 1].push_back(v == 0 ? "" : text("%+.4f", mean - as_given));
+      rows[v + 1].push_back(v == 0 ? "" : formatted("%+.4f", mean - as_given));
     }
   }
-  return markdown(rows);
+  return markdownTable(rows);
 }
 
 std::string scoresCsv(const std::vector<CaseScores>& scores, const std::vector<View>& views) {
@@ -191,7 +143,7 @@ std::string scoresCsv(const std::vector<CaseScores>& scores, const std::vector<V
       "door_precision,door_recall,areas,rooms,over,under,doors,true_doors\n";
   for (const CaseScores& one : scores) {
     for (std::size_t v = 0; v < views.size(); ++v) {
-      csv += field(one.about.name) + "," + nameOf(one.about.group) + "," + views[v].name +
+      csv += csvField(one.about.name) + "," + nameOf(one.about.group) + "," + views[v].name +
              csvNumbers(one.views[v]) + "\n";
     }
   }

@@ -32,6 +32,7 @@ std::map<std::string, Field> fields(ConversionParams& params) {
       {"area_method", &areas.method},
       {"max_clutter_diagonal", &areas.max_clutter_diagonal},
       {"min_island_size", &areas.min_island_size},
+      {"min_separation", &areas.min_separation},
       {"merge_ratio", &areas.merge_ratio},
       {"min_prominence", &areas.min_prominence},
       {"min_area_size", &areas.min_area_size},
@@ -69,8 +70,9 @@ struct Store {
     return true;
   }
   bool operator()(AreaMethod* field) const {
-    if (text != "persistence" && text != "paper") return false;
-    *field = text == "paper" ? AreaMethod::kPaper : AreaMethod::kPersistence;
+    const auto* name = std::find(kAreaMethodNames.begin(), kAreaMethodNames.end(), text);
+    if (name == kAreaMethodNames.end()) return false;
+    *field = static_cast<AreaMethod>(name - kAreaMethodNames.begin());
     return true;
   }
 };
@@ -79,7 +81,8 @@ struct Store {
 
 std::vector<Option> pipelineOptions() {
   return {
-      {"method", 0, "NAME", "how areas are found: persistence (default) or paper", false, false},
+      {"method", 0, "NAME", "how areas are found: borders (default), persistence or paper", false,
+       false},
       {"param", 'p', "KEY=VALUE", "set a parameter; may be given many times", false, true},
   };
 }

@@ -120,12 +120,17 @@ std::string summaryJson(const SemanticMap& map, const std::vector<StageCost>& co
   return dump(json, 1) + "\n";
 }
 
+std::vector<Door> doorsBetweenAreas(const AreaMap& areas) {
+  std::vector<Door> doors;
+  for (const Door& door : areas.doors) {
+    if (door.areas[0] != AreaId{0} && door.areas[1] != AreaId{0}) doors.push_back(door);
+  }
+  return doors;
+}
+
 std::vector<Segment> doorSegments(const AreaMap& areas) {
   std::vector<Segment> segments;
-  for (const Door& door : areas.doors) {
-    const bool between = door.areas[0] != AreaId{0} && door.areas[1] != AreaId{0};
-    if (between) segments.push_back(door.jambs_map);
-  }
+  for (const Door& door : doorsBetweenAreas(areas)) segments.push_back(door.jambs_map);
   return segments;
 }
 

@@ -16,7 +16,10 @@ std::string graphJson(const SemanticMap& map);
 std::string summaryJson(const SemanticMap& map, const std::vector<StageCost>& costs,
                         const std::vector<std::string>& warnings);
 
-/// The borders between two areas, jamb to jamb.
+/// The borders between two areas; doors to the outside are left out.
+std::vector<Door> doorsBetweenAreas(const AreaMap& areas);
+
+/// The same borders, jamb to jamb.
 std::vector<Segment> doorSegments(const AreaMap& areas);
 
 }  // namespace agrid::tools

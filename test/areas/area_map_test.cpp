@@ -13,7 +13,7 @@
 #include "agrid/evaluation/office_generator.h"
 #include "support/ascii_map.h"
 #include "support/segmentation.h"
-#include "tags/persistence.h"
+#include "tags/division.h"
 #include "tags/relief.h"
 
 namespace agrid {
@@ -182,12 +182,12 @@ TEST_P(Offices, CellsBearTheAreaOfMostOfTheirPixels) {
   }
 }
 
-TEST_P(Offices, SeedingWithTheProposalsGivesThePersistenceWatershed) {
+TEST_P(Offices, SeedingWithTheProposalsGivesTheDivision) {
   const OccupancyMap map = office(GetParam());
   const AreaMap areas = segment(map);
-  const Relief relief = makeRelief(map, {}, {});
-  const Basins basins = findBasins(relief.height);
-  const auto area_of = mergeByPersistence(basins, map.geometry().resolution, {});
+  const Division division = divide(makeRelief(map, {}, {}), map.geometry().resolution, {});
+  const Basins& basins = division.basins;
+  const auto& area_of = division.area_of;
   std::map<std::uint32_t, std::uint16_t> label_of;
   std::set<std::uint16_t> labels;
   for (std::size_t i = 0; i < areas.pixel_labels.size(); ++i) {

@@ -75,6 +75,8 @@ TEST(Scores, DoorsAreFoundNearTheBorderOnceEach) {
   EXPECT_DOUBLE_EQ(scoreDoors(map, {on_border, close}, rooms).precision, 0.5);
   EXPECT_DOUBLE_EQ(scoreDoors(map, {far}, rooms).recall, 0);
   EXPECT_DOUBLE_EQ(scoreDoors(map, {}, rooms).precision, 0);
+  EXPECT_EQ(scoreDoors(map, {far, close, on_border}, rooms).is_true,
+            (std::vector<bool>{false, false, true}));
 }
 
 TEST(Scores, DoorsAreFoundNearTrueOnesOnceEach) {
@@ -88,6 +90,9 @@ TEST(Scores, DoorsAreFoundNearTrueOnesOnceEach) {
   EXPECT_DOUBLE_EQ(scoreDoors({beyond}, {truth}, 0.61).recall, 1);
   EXPECT_DOUBLE_EQ(scoreDoors({}, {truth}).recall, 0);
   EXPECT_DOUBLE_EQ(scoreDoors({truth}, {}).precision, 0);
+  EXPECT_EQ(scoreDoors({aside, beyond, truth}, {truth}).is_true,
+            (std::vector<bool>{false, false, true}));
+  EXPECT_EQ(scoreDoors({aside, truth}, {}).is_true, std::vector<bool>(2));
 }
 
 TEST(Scores, RecallAndPrecisionAreMeansOverRoomsAndAreas) {

@@ -48,8 +48,9 @@ AreaScores scoreAreas(const OccupancyMap& map, const std::vector<std::uint16_t>&
 struct DoorScores {
   double precision = 0;
   double recall = 0;
-  std::size_t doors = 0;    ///< doors that were compared
-  std::size_t borders = 0;  ///< true doors: borders between rooms
+  std::size_t doors = 0;      ///< doors that were compared
+  std::size_t borders = 0;    ///< true doors: borders between rooms
+  std::vector<bool> is_true;  ///< for each door that was compared, whether it found a true one
 };
 
 /// Compares doors with rooms. The rooms are grown through the free pixels of the map until they

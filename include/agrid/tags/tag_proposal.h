@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "agrid/map/occupancy_map.h"
@@ -10,9 +11,14 @@ namespace agrid {
 
 /// How areas are found.
 enum class AreaMethod {
+  kBorders,      ///< free space cut at every opening and narrowing, then each border judged by what
+                 ///< people have drawn
   kPersistence,  ///< watershed of the distance transform, merged by persistence
   kPaper         ///< narrow passages as doors, centroids as seeds, watershed, opening (paper, 3.2)
 };
+
+/// How users call the methods, in the order of AreaMethod.
+inline constexpr std::array<const char*, 3> kAreaMethodNames{"borders", "persistence", "paper"};
 
 /// Constants of the paper's own method (AreaMethod::kPaper), which gives no values for them.
 struct PassageParams {
@@ -27,13 +33,17 @@ struct PassageParams {
 
 /// How areas and doors are found; lengths in metres, so that maps of any resolution behave alike.
 struct AreaParams {
-  AreaMethod method = AreaMethod::kPersistence;
+  AreaMethod method = AreaMethod::kBorders;
   /// Obstacles whose bounding box has a smaller diagonal are clutter such as chair legs, unless
   /// they touch the map's border [m]. 1.5 scores the same, 0.5 costs .045 of MCC on furnished maps.
   double max_clutter_diagonal = 1.0;
   /// Free islands below this size belong to no area [m^2].
   double min_island_size = 0.25;
-  /// A narrowing parts two areas if it is below this share of the lower one's clearance, in (0, 1].
+  /// Two regions are areas of their own if it is this sure that people would draw a border between
+  /// them, in [0, 1] (kBorders). Lower: more areas.
+  double min_separation = 0.7;
+  /// A narrowing parts two areas if it is below this share of the lower one's clearance, in (0, 1]
+  /// (kPersistence).
   double merge_ratio = 0.75;
   /// ... and below it by at least this much [m]; 0.05 is a pixel of the usual map.
   double min_prominence = 0.05;

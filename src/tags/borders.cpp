@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "areas/borders.h"
+#include "tags/borders.h"
 
 #include <algorithm>
 #include <cstring>
