@@ -13,7 +13,7 @@ namespace agrid {
 
 /// Finds the borders between the areas. A border that runs along the barrier of a door tag is that
 /// door, with confidence 1 unless the tag is automatic; any other is a door or a passage by its
-/// width, with the confidence that people would draw it (see separation).
+/// width, with the share of such borders that people would draw as its confidence (see separation).
 /// @param warnings  gets a sentence for each door tag by a person that parts nothing
 /// @return sorted by id; those without a tag are numbered from the top of the map to its bottom
 std::vector<Door> findDoors(const AreaLabels& labels, const Relief& relief,
