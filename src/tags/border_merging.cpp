@@ -5,7 +5,6 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 
 #include "tags/disjoint_sets.h"

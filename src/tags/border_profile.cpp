@@ -55,8 +55,7 @@ BorderProfile BorderSurvey::profileOf(const Stretch& stretch,
 }
 
 float BorderSurvey::heightAt(const BorderPoint& point) const {
-  const auto* heights = relief_.height.ptr<float>();
-  return std::min(heights[point.pixel], heights[point.other]);
+  return heights()[point.lower(heights())];
 }
 
 /// Those of the opening that most of the stretch lies on, else of the narrowing at its place
@@ -76,9 +75,7 @@ Segment BorderSurvey::jambsOf(const Stretch& stretch, BorderProfile& profile) co
                                      [](auto& a, auto& b) { return a.second < b.second; });
   profile.is_opening = most != on_opening.end() && most->second >= elsewhere;
   if (profile.is_opening) return openings_.all[most->first].jambs;
-  const auto* heights = relief_.height.ptr<float>();
-  const bool lower = heights[farthest->pixel] <= heights[farthest->other];
-  return findNarrowing(geometry_.pixel(lower ? farthest->pixel : farthest->other), relief_.height);
+  return findNarrowing(geometry_.pixel(farthest->lower(heights())), relief_.height);
 }
 
 bool BorderSurvey::isOpeningAlong(const Point2& point, const Point2& direction) const {

@@ -16,6 +16,12 @@ struct BorderPoint {
   std::size_t pixel = 0;  ///< row-major; the lower or left one
   std::size_t other = 0;  ///< the upper or right one
 
+  /// Which of both pixels lies lower, the first if they are level.
+  /// @param heights  row-major
+  std::size_t lower(const float* heights) const {
+    return heights[pixel] <= heights[other] ? pixel : other;
+  }
+
   /// The middle between both pixels, in pixels of the image frame.
   Point2 position(const MapGeometry& geometry) const {
     const Pixel p = geometry.pixel(pixel);

@@ -28,7 +28,7 @@ Division divideAtBorders(const Relief& relief, double resolution, const AreaPara
   const MapGeometry geometry{relief.free_space.cols, relief.free_space.rows, resolution, {}};
   const BorderSurvey survey(relief, fragments.openings, geometry);
   const auto& labels = fragments.basins.of_pixel;
-  const auto stretches = splitIntoStretches(findBorderPoints(labels, geometry), geometry);
+  const auto stretches = splitIntoStretches(fragments.borders, geometry);
   RegionGraph graph(labels, fragments.basins.basins.size(), stretches, survey);
   auto area_of = byHighest(mergeByBorders(std::move(graph), params), fragments.basins);
   return {std::move(fragments.basins), std::move(area_of), std::move(fragments.openings)};

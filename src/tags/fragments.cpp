@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "tags/borders.h"
 #include "tags/disjoint_sets.h"
 #include "tags/free_space.h"
 #include "tags/hand_over.h"
@@ -68,9 +67,9 @@ class SmallRegions {
       const std::uint32_t small = sets_.find(region);
       if (static_cast<double>(size_px_[small]) < min_size_px) joinToNeighbour(small);
     }
-    for (std::uint32_t& region : order) region = 0;
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = sets_.find(i);
-    return order;
+    std::vector<std::uint32_t> region_of(size_px_.size());
+    for (std::uint32_t i = 0; i < region_of.size(); ++i) region_of[i] = sets_.find(i);
+    return region_of;
   }
 
  private:
@@ -121,11 +120,10 @@ void describeRegions(const cv::Mat1f& height, Basins& result) {
 }
 
 /// The highest way between each two regions that touch.
-void findSaddles(const cv::Mat1f& height, const MapGeometry& geometry, Basins& result) {
+void findSaddles(const cv::Mat1f& height, const std::vector<BorderPoint>& borders, Basins& result) {
   const float* heights = height.ptr<float>();
-  for (const BorderPoint& point : findBorderPoints(result.of_pixel, geometry)) {
-    const std::size_t lower =
-        heights[point.pixel] <= heights[point.other] ? point.pixel : point.other;
+  for (const BorderPoint& point : borders) {
+    const std::size_t lower = point.lower(heights);
     const bool is_new = result.saddles.empty() || result.saddles.back().a != point.a ||
                         result.saddles.back().b != point.b;
     if (is_new) result.saddles.push_back({heights[lower], point.a, point.b, lower});
@@ -166,7 +164,8 @@ Fragments cutIntoFragments(const Relief& relief, double resolution) {
   handOver(doorways, geometry, labels);
   relabel(SmallRegions(labels, count, geometry).join(kMinSize / (resolution * resolution)));
   describeRegions(relief.height, fragments.basins);
-  findSaddles(relief.height, geometry, fragments.basins);
+  fragments.borders = findBorderPoints(labels, geometry);
+  findSaddles(relief.height, fragments.borders, fragments.basins);
   return fragments;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "tags/basins.h"
+#include "tags/borders.h"
 #include "tags/openings.h"
 #include "tags/relief.h"
 
@@ -11,6 +14,7 @@ namespace agrid {
 struct Fragments {
   /// The fragments as basins of the open relief; their saddles lead across openings too.
   Basins basins;
+  std::vector<BorderPoint> borders;  ///< between them, as findBorderPoints returns them
   Openings openings;
 };
 

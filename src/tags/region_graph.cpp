@@ -6,6 +6,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "tags/pixel_runs.h"
+
 namespace agrid {
 
 RegionGraph::RegionGraph(const std::vector<std::uint32_t>& labels, std::size_t count,
@@ -26,20 +28,19 @@ void RegionGraph::collectShapes(const std::vector<std::uint32_t>& labels,
   std::vector<std::vector<cv::Point2f>> corners(regions_.size());
   for (std::size_t first = 0; first < labels.size(); first += columns) {
     const auto y = static_cast<float>(first / columns);
-    for (std::size_t x = 0, end = 0; x < columns; x = end) {
-      const std::uint32_t label = labels[first + x];
-      while (end < columns && labels[first + end] == label) ++end;
-      if (label == Basins::kNone) continue;
-      const auto left = static_cast<float>(x);
-      const auto right = static_cast<float>(end);
-      corners[label].insert(corners[label].end(),
-                            {{left, y}, {right, y}, {left, y + 1}, {right, y + 1}});
-      RegionShape& shape = regions_[label];
-      shape.size += static_cast<double>(end - x) * resolution_ * resolution_;
-      const float* heights = survey.heights() + first;
-      const float highest = *std::max_element(heights + x, heights + end);
-      shape.clearance = std::max(shape.clearance, static_cast<double>(highest) * resolution_);
-    }
+    const float* heights = survey.heights() + first;
+    forEachRun(
+        &labels[first], survey.geometry().width, [&](int begin, int end, std::uint32_t label) {
+          if (label == Basins::kNone) return;
+          const auto left = static_cast<float>(begin);
+          const auto right = static_cast<float>(end);
+          corners[label].insert(corners[label].end(),
+                                {{left, y}, {right, y}, {left, y + 1}, {right, y + 1}});
+          RegionShape& shape = regions_[label];
+          shape.size += static_cast<double>(end - begin) * resolution_ * resolution_;
+          const float highest = *std::max_element(heights + begin, heights + end);
+          shape.clearance = std::max(shape.clearance, static_cast<double>(highest) * resolution_);
+        });
   }
   for (std::size_t i = 0; i < regions_.size(); ++i) {
     if (corners[i].empty()) continue;
