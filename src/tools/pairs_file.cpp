@@ -39,12 +39,22 @@ struct Place {
 const std::array<const char*, 5> kColumns{"id", "start_x_px", "start_y_px", "goal_x_px",
                                           "goal_y_px"};
 
-std::array<std::size_t, 5> columnsOf(const std::vector<std::string>& header, const Place& place) {
-  std::array<std::size_t, 5> columns{};
+/// Where the values stand in each line.
+struct Columns {
+  std::array<std::size_t, 5> needed{};
+  std::optional<std::size_t> best_known;
+};
+
+Columns columnsOf(const std::vector<std::string>& header, const Place& place) {
+  Columns columns;
   for (std::size_t i = 0; i < kColumns.size(); ++i) {
     const auto found = std::find(header.begin(), header.end(), kColumns[i]);
     if (found == header.end()) place.fail(std::string("no column ") + kColumns[i]);
-    columns[i] = static_cast<std::size_t>(found - header.begin());
+    columns.needed[i] = static_cast<std::size_t>(found - header.begin());
+  }
+  const auto found = std::find(header.begin(), header.end(), "best_known_length_px");
+  if (found != header.end()) {
+    columns.best_known = static_cast<std::size_t>(found - header.begin());
   }
   return columns;
 }
@@ -56,20 +66,23 @@ bool isPlainId(const std::string& id) {
   });
 }
 
-Pair pairOf(const std::vector<std::string>& fields, const std::array<std::size_t, 5>& columns,
-            const Place& place) {
-  if (fields.size() <= *std::max_element(columns.begin(), columns.end())) {
+Pair pairOf(const std::vector<std::string>& fields, const Columns& columns, const Place& place) {
+  if (fields.size() <= *std::max_element(columns.needed.begin(), columns.needed.end())) {
     place.fail("has only " + std::to_string(fields.size()) + " fields");
   }
   const auto number = [&](std::size_t i) {
-    const auto value = parseNumber(fields[columns[i]]);
-    if (!value)
-      place.fail(std::string(kColumns[i]) + ": '" + fields[columns[i]] + "' is no number");
+    const std::string& field = fields[columns.needed[i]];
+    const auto value = parseNumber(field);
+    if (!value) place.fail(std::string(kColumns[i]) + ": '" + field + "' is no number");
     return *value;
   };
-  const std::string& id = fields[columns[0]];
+  const std::string& id = fields[columns.needed[0]];
   if (!isPlainId(id)) place.fail("id: only letters, digits, '-' and '_', at most 64");
-  return {id, {number(1), number(2)}, {number(3), number(4)}};
+  Pair pair{id, {number(1), number(2)}, {number(3), number(4)}};
+  if (columns.best_known && *columns.best_known < fields.size()) {
+    pair.best_known_px = parseNumber(fields[*columns.best_known]);
+  }
+  return pair;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,12 @@ struct Pair {
   std::string id;  ///< letters, digits, '-' and '_'
   Point2 start_px = Point2::Zero();
   Point2 goal_px = Point2::Zero();
+  std::optional<double> best_known_px{};  ///< length of the best collision-free path known
 };
 
 /// Reads the columns id, start_x_px, start_y_px, goal_x_px and goal_y_px of a CSV file with a
-/// header; others are passed over.
+/// header, and best_known_length_px if it is there (an empty field: not known); others are passed
+/// over.
 /// @throws FileError naming the path, and the line where there is one
 std::vector<Pair> readPairs(const std::string& path);
 

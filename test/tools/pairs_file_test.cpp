@@ -23,6 +23,17 @@ TEST(ReadPairs, TakesItsColumnsByName) {
   EXPECT_EQ(pairs[1].id, "b");
 }
 
+TEST(ReadPairs, TakesTheBestKnownLengthWhereThereIsOne) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.write("pairs.csv",
+                                 "id,best_known_length_px,start_x_px,start_y_px,goal_x_px,goal_y_px"
+                                 "\na,12.5,1,2,3,4\nb,,1,2,3,4\n");
+  const auto pairs = readPairs(path);
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].best_known_px, 12.5);
+  EXPECT_FALSE(pairs[1].best_known_px);
+}
+
 TEST(ReadPairs, RefusesWhatItCannotReadAndNamesTheLine) {
   const test::TemporaryFolder folder;
   EXPECT_THROW(readPairs(folder.path("missing.csv")), FileError);
