@@ -22,9 +22,9 @@ struct Edge {
   std::array<Point2, 2> arms;  ///< unit vectors
 };
 
-std::vector<Edge> findEdges(const std::vector<WallCorner>& corners, const Sight& sight) {
+std::vector<Edge> findEdges(const std::vector<WallCorner>& corners, const WallDirections& walls,
+                            const Sight& sight) {
   constexpr double kLook = 2.5;  // [px]
-  const WallDirections walls(corners, sight.metres(1));
   std::vector<Edge> edges;
   for (const WallCorner& corner : corners) {
     const double shorter = std::min(corner.arms[0].norm(), corner.arms[1].norm());
@@ -63,8 +63,9 @@ bool isMouth(const Edge& a, const Edge& b, const Point2& direction) {
 
 }  // namespace
 
-std::vector<Opening> findMouths(const std::vector<WallCorner>& corners, const Sight& sight) {
-  const std::vector<Edge> edges = findEdges(corners, sight);
+std::vector<Opening> findMouths(const std::vector<WallCorner>& corners, const WallDirections& walls,
+                                const Sight& sight) {
+  const std::vector<Edge> edges = findEdges(corners, walls, sight);
   const double max_width = sight.pixels(kMaxWidth);
   const double reach = sight.pixels(kMaxWall);
   NearPoints near(max_width);

@@ -42,8 +42,9 @@ bool excludeEachOther(const Segment& p, const Segment& q, const Sight& sight) {
 std::vector<Opening> findOpenings(const cv::Mat1b& free_space, const Sight& sight) {
   if (sight.metres(1) > kCoarsest) return {};
   const auto corners = findWallCorners(free_space, sight.metres(1));
-  std::vector<Opening> found = findWallGaps(corners, sight);
-  const auto mouths = findMouths(corners, sight);
+  const WallDirections walls(corners, sight.metres(1));
+  std::vector<Opening> found = findWallGaps(corners, walls, sight);
+  const auto mouths = findMouths(corners, walls, sight);
   found.insert(found.end(), mouths.begin(), mouths.end());
   std::stable_sort(found.begin(), found.end(),
                    [](const Opening& a, const Opening& b) { return a.merit > b.merit; });

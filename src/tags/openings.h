@@ -23,11 +23,13 @@ struct Opening {
 /// 'regularity in the structure' (3.2), along the walls of the map instead of its axes. A gap is
 /// kept if there is wall on its line on either side, for half of its own width in sum, or 0.8 m
 /// before it; or if walls make up most of its line within 2.5 m.
-std::vector<Opening> findWallGaps(const std::vector<WallCorner>& corners, const Sight& sight);
+std::vector<Opening> findWallGaps(const std::vector<WallCorner>& corners,
+                                  const WallDirections& walls, const Sight& sight);
 
 /// Mouths: two corners within 3 m where a narrow place, with walls within 30 degrees of parallel,
 /// opens to a wide one, whose walls spread by 20 degrees or more on either side.
-std::vector<Opening> findMouths(const std::vector<WallCorner>& corners, const Sight& sight);
+std::vector<Opening> findMouths(const std::vector<WallCorner>& corners, const WallDirections& walls,
+                                const Sight& sight);
 
 /// All openings of a map and where they lie.
 struct Openings {

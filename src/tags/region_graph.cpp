@@ -57,7 +57,6 @@ void RegionGraph::measureHull(RegionShape& shape) const {
       std::max({static_cast<double>(box.width), static_cast<double>(box.height), 1.});
   const double width = std::max(static_cast<double>(std::min(box.width, box.height)), 1.);
   shape.rectangle_size = length * width * square;
-  shape.rectangle_length = length * resolution_;
 }
 
 RegionShape RegionGraph::together(std::uint32_t a, std::uint32_t b) const {
@@ -81,7 +80,6 @@ BorderMeasures RegionGraph::measure(std::uint32_t a, std::uint32_t b) const {
   const Side* widest = nullptr;
   for (const Side& side : borders_[a].at(b)) {
     const BorderProfile& profile = profiles_[side.stretch];
-    measures.extent += profile.extent;
     if (widest && profile.width <= profiles_[widest->stretch].width) continue;
     widest = &side;
   }
@@ -92,7 +90,6 @@ BorderMeasures RegionGraph::measure(std::uint32_t a, std::uint32_t b) const {
   measures.larger = &regions_[b];
   measures.smaller_neighbours = borders_[a].size();
   measures.larger_neighbours = borders_[b].size();
-  measures.stretches = borders_[a].at(b).size();
   const RegionShape both = together(a, b);
   measures.common_hull_size = both.hull_size;
   measures.common_rectangle_size = both.rectangle_size;

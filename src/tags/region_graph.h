@@ -17,7 +17,6 @@ struct RegionShape {
   double clearance = 0;           ///< of its place farthest from the walls
   double hull_size = 0;           ///< of its convex hull [m^2]
   double rectangle_size = 0;      ///< of the smallest rectangle around it, turned as need be [m^2]
-  double rectangle_length = 0;    ///< the longer side of that
   std::vector<cv::Point2f> hull;  ///< image frame [px]
 };
 
@@ -30,8 +29,6 @@ struct BorderMeasures {
   const RegionShape* larger = nullptr;
   std::size_t smaller_neighbours = 0;
   std::size_t larger_neighbours = 0;
-  std::size_t stretches = 0;
-  double extent = 0;                 ///< of all stretches [m]
   double common_hull_size = 0;       ///< of both regions together [m^2]
   double common_rectangle_size = 0;  ///< of both regions together [m^2]
 };

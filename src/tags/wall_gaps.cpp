@@ -106,8 +106,8 @@ std::optional<Opening> gapFrom(const WallEnd& end, double depth, const Sight& si
 
 }  // namespace
 
-std::vector<Opening> findWallGaps(const std::vector<WallCorner>& corners, const Sight& sight) {
-  const WallDirections walls(corners, sight.metres(1));
+std::vector<Opening> findWallGaps(const std::vector<WallCorner>& corners,
+                                  const WallDirections& walls, const Sight& sight) {
   std::vector<Opening> gaps;
   for (const WallCorner& corner : corners) {
     for (int arm = 0; arm < 2; ++arm) {

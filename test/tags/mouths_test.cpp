@@ -16,7 +16,8 @@ using test::DrawnPlan;
 std::vector<Opening> mouthsOf(const cv::Mat1b& space, double resolution) {
   const test::MeasuredSpace measured(space, resolution);
   const Sight& sight = measured.sight;
-  return findMouths(findWallCorners(space, resolution), sight);
+  const auto corners = findWallCorners(space, resolution);
+  return findMouths(corners, WallDirections(corners, resolution), sight);
 }
 
 std::vector<Opening> mouthsOf(const DrawnPlan& plan) {

@@ -52,8 +52,9 @@ void checkChoice(const cv::Mat1b& space, double resolution) {
   const test::MeasuredSpace measured(space, resolution);
   const Sight& sight = measured.sight;
   const auto corners = findWallCorners(space, resolution);
-  std::vector<Opening> found = findWallGaps(corners, sight);
-  const auto mouths = findMouths(corners, sight);
+  const WallDirections walls(corners, resolution);
+  std::vector<Opening> found = findWallGaps(corners, walls, sight);
+  const auto mouths = findMouths(corners, walls, sight);
   found.insert(found.end(), mouths.begin(), mouths.end());
   const auto kept = findOpenings(space, sight);
   for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -103,7 +104,8 @@ TEST(Openings, ADoorIsOneHoweverManyCornersFindIt) {
   const cv::Mat1b space = plan.freeSpace();
   const test::MeasuredSpace measured(space, 0.05);
   const Sight& sight = measured.sight;
-  EXPECT_GE(findWallGaps(findWallCorners(space, 0.05), sight).size(), 2U);
+  const auto corners = findWallCorners(space, 0.05);
+  EXPECT_GE(findWallGaps(corners, WallDirections(corners, 0.05), sight).size(), 2U);
   const auto openings = findOpenings(space, sight);
   ASSERT_EQ(openings.size(), 1U);
   EXPECT_NEAR(openings[0].jambs.length(), 18, 0.5);

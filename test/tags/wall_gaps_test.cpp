@@ -17,7 +17,8 @@ std::vector<Opening> gapsOf(const DrawnPlan& plan) {
   const cv::Mat1b space = plan.freeSpace();
   const test::MeasuredSpace measured(space, plan.resolution());
   const Sight& sight = measured.sight;
-  return findWallGaps(findWallCorners(space, plan.resolution()), sight);
+  const auto corners = findWallCorners(space, plan.resolution());
+  return findWallGaps(corners, WallDirections(corners, plan.resolution()), sight);
 }
 
 /// Distance between the jambs of two openings, whichever is called a [px].
@@ -89,7 +90,8 @@ TEST(WallGaps, AWallMayBeOnePixelThick) {
       space(cv::Rect(30, 12, thickness, width)) = 1;
       const test::MeasuredSpace measured(space, resolution);
       const Sight& sight = measured.sight;
-      const auto gaps = findWallGaps(findWallCorners(space, resolution), sight);
+      const auto corners = findWallCorners(space, resolution);
+      const auto gaps = findWallGaps(corners, WallDirections(corners, resolution), sight);
       ASSERT_FALSE(gaps.empty()) << resolution << " " << thickness;
       for (const Opening& gap : gaps) {
         EXPECT_NEAR(gap.jambs.length(), width, 0.51) << resolution << " " << thickness;
