@@ -42,6 +42,11 @@ void say(const Subject& subject, const char* what) {
   std::fprintf(stderr, "%s: %s\n", subject.name.c_str(), what);
 }
 
+/// The resolution comes in single precision: 0.2 m at 0.05 m a pixel are 4 pixels, no hair less.
+double radiusPx(double radius, const MapGeometry& geometry) {
+  return std::round(radius / geometry.resolution * 1e6) / 1e6;
+}
+
 PlanRequest requestOf(const tools::Pair& pair, const MapGeometry& geometry) {
   PlanRequest request;
   request.start.position_map = tools::mapPoint(pair.start_px, geometry);
@@ -94,7 +99,7 @@ class Session {
     const auto map = std::make_shared<const OccupancyMap>(loadMap(subject.yaml, file_params).grid);
     geometry_ = map->geometry();
     say(subject_, "flood fill and distance transform");
-    ground_ = readGround(subject.image, effort.robot_radius / geometry_.resolution + 1e-9);
+    ground_ = readGround(subject.image, radiusPx(effort.robot_radius, geometry_));
     say(subject_, "areas and doors");
     map_ = std::make_shared<const SemanticMap>(annotate(extractStructure(map, {}), {}, {}));
     figures_.map = subject.name;

@@ -28,8 +28,33 @@ double Reference::distance(std::size_t a, std::size_t b) const {
   return (center(a) - center(b)).norm();
 }
 
+/// From pixel centre to pixel centre; through a corner only where both pixels beside it are free.
 bool Reference::sees(std::size_t a, std::size_t b) const {
-  return segmentIsFree(ground_, center(a), center(b));
+  const auto w = static_cast<std::int64_t>(ground_.width);
+  const std::int64_t across = static_cast<std::int64_t>(b) % w - static_cast<std::int64_t>(a) % w;
+  const std::int64_t down = static_cast<std::int64_t>(b) / w - static_cast<std::int64_t>(a) / w;
+  const std::int64_t step_x = across < 0 ? -1 : 1;
+  const std::int64_t step_y = down < 0 ? -w : w;
+  const std::int64_t dx = std::abs(across);
+  const std::int64_t dy = std::abs(down);
+  const std::uint8_t* p = ground_.free.data() + a;
+  std::int64_t ahead = dx - dy;  // above 0: the line leaves the pixel through its side in x
+  for (std::int64_t left = dx + dy; left > 0; --left) {
+    if (ahead > 0) {
+      p += step_x;
+      ahead -= 2 * dy;
+    } else if (ahead < 0) {
+      p += step_y;
+      ahead += 2 * dx;
+    } else {
+      if (p[step_x] == 0 || p[step_y] == 0) return false;
+      p += step_x + step_y;
+      ahead += 2 * (dx - dy);
+      --left;
+    }
+    if (*p == 0) return false;
+  }
+  return true;
 }
 
 void Reference::push(std::uint32_t pixel, float cost, std::uint32_t parent, std::size_t goal) {
