@@ -18,7 +18,8 @@ struct NodeParams {
   double tf_timeout = 0.3;               ///< how long a request waits for a transform [s]
   double area_period = 0.5;              ///< between two looks at the robot's area [s]
   double static_map_wait = 5;  ///< without a map for so long, static_map is asked [s]; 0: never
-  int max_parallel_plans = 4;  ///< plans at a time, further ones are answered BUSY; read at start
+  int max_parallel_plans = 0;  ///< plans at a time; 0: as many as there are cores; read at start
+  int max_queued_plans = 100;  ///< plans that wait, further ones are answered BUSY; read at start
   bool strict_params = true;   ///< false: a bad parameter is logged and its default used
 };
 

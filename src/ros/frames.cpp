@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/frames.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -39,6 +40,12 @@ Frames::Frames(const tf2::BufferCore& transforms, const std::atomic<bool>& cance
       cancelled_(cancelled),
       map_frame_(std::move(map_frame)),
       timeout_seconds_(timeout_seconds) {}
+
+Frames Frames::until(std::chrono::steady_clock::time_point deadline) const {
+  Frames frames = *this;
+  frames.deadline_ = deadline;
+  return frames;
+}
 
 agrid::PlanPoint Frames::planPoint(const geometry_msgs::PoseStamped& pose) const {
   requireFinite(pose.pose.position);
@@ -80,12 +87,17 @@ geometry_msgs::TransformStamped Frames::mapFrom(const std::string& frame,
                                                 const ros::Time& stamp) const {
   // tf2_ros::Buffer waits by the ROS clock, which may stand still in simulation
   using Clock = std::chrono::steady_clock;
-  const auto deadline = Clock::now() + std::chrono::duration<double>(timeout_seconds_);
+  const auto timeout =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout_seconds_));
+  const auto deadline = std::min(deadline_, Clock::now() + timeout);
   for (;;) {
     try {
       return transforms_.lookupTransform(map_frame_, frame, stamp);
     } catch (const tf2::TransformException& error) {
-      if (cancelled_ || Clock::now() >= deadline) {
+      if (cancelled_) {
+        throw RequestError(agrid_map::Status::CANCELLED, "the node is shutting down");
+      }
+      if (Clock::now() >= deadline) {
         throw RequestError(agrid_map::Status::NO_TRANSFORM,
                            "frame '" + printable(frame.substr(0, 256)) +
                                "' cannot be brought to '" + map_frame_ +

@@ -70,7 +70,8 @@ void addNode(Table& table, NodeParams& p) {
   table.push_back({"tf_timeout", NumberField{&p.tf_timeout, 0, 0.5}});
   table.push_back({"area_period", NumberField{&p.area_period, 0.05, 60}});
   table.push_back({"static_map_wait", NumberField{&p.static_map_wait, 0, 3600}});
-  table.push_back({"max_parallel_plans", IntegerField{&p.max_parallel_plans, 1, 64}});
+  table.push_back({"max_parallel_plans", IntegerField{&p.max_parallel_plans, 0, 64}});
+  table.push_back({"max_queued_plans", IntegerField{&p.max_queued_plans, 0, 10000}});
   table.push_back({"strict_params", FlagField{&p.strict_params}});
 }
 

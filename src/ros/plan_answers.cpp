@@ -5,12 +5,22 @@
 
 #include "ros/request_error.h"
 #include "ros/text.h"
+#include "ros/time_limit.h"
 #include "ros/way_to_things.h"
 
 namespace agrid_map_ros {
 namespace {
 
 using agrid_map::Status;
+
+/// The same ground, where nothing is waited for beyond the limit. `frames` must outlive it.
+Ground limited(const Ground& ground, const Frames& frames) {
+  return {ground.snapshot, frames, ground.cancelled, ground.waited};
+}
+
+double timeoutParameter(const Ground& ground) {
+  return ground.snapshot.parameters->planner.timeout;
+}
 
 /// A number of a request where 0 means the parameter.
 std::optional<double> unlessZero(double value) {
@@ -52,16 +62,17 @@ void fillPath(agrid_map::PlanPath::Response& response, const Ground& ground,
 }
 
 agrid::Plan planPathTo(const Ground& ground, const agrid_map::PlanPath::Request& request,
-                       agrid::PlanRequest wanted) {
+                       agrid::PlanRequest wanted, const TimeLimit& limit) {
   wanted.start =
       request.start_from_robot ? robotPoint(ground) : ground.frames.planPoint(request.start);
   if (request.goal_name.empty()) {
     wanted.goal = ground.frames.planPoint(request.goal);
+    wanted.timeout = limit.left();
     return ground.snapshot.planner->plan(wanted);
   }
   const FoundThings found = findThings(*ground.snapshot.map, request.goal_name, {false, true});
-  agrid::Plan plan =
-      planToNearest(*ground.snapshot.planner, found.things, wanted, request.goal_at_anchor);
+  const WayFinder ways{*ground.snapshot.planner, limit};
+  agrid::Plan plan = ways.planToNearest(found.things, wanted, request.goal_at_anchor);
   plan.message = withRemark(found, plan.message);
   return plan;
 }
@@ -71,17 +82,22 @@ agrid::Plan planPathTo(const Ground& ground, const agrid_map::PlanPath::Request&
 agrid_map::PlanAreas::Response answerPlanAreas(const Ground& ground,
                                                const agrid_map::PlanAreas::Request& request) {
   const Snapshot& snapshot = ground.snapshot;
+  const TimeLimit limit(0, timeoutParameter(ground), ground.waited);
+  limit.requireTime();
+  const Frames frames = ground.frames.until(limit.deadline());
   agrid::PlanRequest wanted;
   wanted.robot_radius = unlessZero(request.robot_radius);
   wanted.cancelled = &ground.cancelled;
-  wanted.start = startOf(ground, request);
+  wanted.start = startOf(limited(ground, frames), request);
   agrid::RouteList list;
   if (request.goal.empty()) {
-    wanted.goal = ground.frames.planPoint(request.goal_pose);
+    wanted.goal = frames.planPoint(request.goal_pose);
+    wanted.timeout = limit.left();
     list = snapshot.planner->routes(wanted, request.max_routes);
   } else {
     const FoundThings found = findThings(*snapshot.map, request.goal, {false, true});
-    list = routesToNearest(*snapshot.planner, found.things, wanted, request.max_routes);
+    const WayFinder ways{*snapshot.planner, limit};
+    list = ways.routesToNearest(found.things, wanted, request.max_routes);
     list.message = withRemark(found, list.message);
   }
   agrid_map::PlanAreas::Response response;
@@ -94,15 +110,17 @@ agrid_map::PlanAreas::Response answerPlanAreas(const Ground& ground,
 
 agrid_map::PlanPath::Response answerPlanPath(const Ground& ground,
                                              const agrid_map::PlanPath::Request& request) {
+  const TimeLimit limit(request.timeout, timeoutParameter(ground), ground.waited);
+  limit.requireTime();
+  const Frames frames = ground.frames.until(limit.deadline());
   agrid::PlanRequest wanted;
   wanted.tolerance = request.tolerance;
   wanted.robot_radius = unlessZero(request.robot_radius);
   wanted.turning_radius = unlessZero(request.turning_radius);
-  wanted.timeout = unlessZero(request.timeout);
   if (!request.planner.empty()) wanted.planner = request.planner.substr(0, 256);
   wanted.seed = request.seed;
   wanted.cancelled = &ground.cancelled;
-  const agrid::Plan plan = planPathTo(ground, request, wanted);
+  const agrid::Plan plan = planPathTo(limited(ground, frames), request, wanted, limit);
   agrid_map::PlanPath::Response response;
   response.status = statusOf(plan.status, plan.message);
   response.planning_time = plan.planning_time;
@@ -113,9 +131,13 @@ agrid_map::PlanPath::Response answerPlanPath(const Ground& ground,
 
 nav_msgs::GetPlan::Response answerMakePlan(const Ground& ground,
                                            const nav_msgs::GetPlan::Request& request) {
+  const TimeLimit limit(0, timeoutParameter(ground), ground.waited);
+  limit.requireTime();
+  const Frames frames = ground.frames.until(limit.deadline());
   agrid::PlanRequest wanted;
-  wanted.start = ground.frames.planPoint(request.start);
-  wanted.goal = ground.frames.planPoint(request.goal);
+  wanted.start = frames.planPoint(request.start);
+  wanted.goal = frames.planPoint(request.goal);
+  wanted.timeout = limit.left();
   wanted.tolerance = static_cast<double>(request.tolerance);
   wanted.cancelled = &ground.cancelled;
   const agrid::Plan plan = ground.snapshot.planner->plan(wanted);
@@ -126,6 +148,11 @@ nav_msgs::GetPlan::Response answerMakePlan(const Ground& ground,
   nav_msgs::GetPlan::Response response;
   response.plan = pathToMsg(plan.path_map, ground.snapshot.stamp.header);
   return response;
+}
+
+void remarkNewerMap(agrid_map::Status& status) {
+  status.message += status.message.empty() ? "" : "; ";
+  status.message += "a newer map has been built meanwhile";
 }
 
 }  // namespace agrid_map_ros

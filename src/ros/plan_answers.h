@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 
 #include <nav_msgs/GetPlan.h>
 
@@ -18,6 +19,8 @@ struct Ground {
   const Snapshot& snapshot;
   const Frames& frames;                ///< into the snapshot's frame
   const std::atomic<bool>& cancelled;  ///< planning ends when it becomes true
+  /// By the request for its turn; a part of its timeout.
+  std::chrono::steady_clock::duration waited{};
 };
 
 /// The answers to the planning services; a plan that fails has its status in the response.
@@ -29,5 +32,8 @@ agrid_map::PlanPath::Response answerPlanPath(const Ground& ground,
 /// @throws RequestError also if there is no plan, as nav_msgs/GetPlan cannot say why
 nav_msgs::GetPlan::Response answerMakePlan(const Ground& ground,
                                            const nav_msgs::GetPlan::Request& request);
+
+/// Says that the answer is right for the map whose id it bears, but not the newest.
+void remarkNewerMap(agrid_map::Status& status);
 
 }  // namespace agrid_map_ros

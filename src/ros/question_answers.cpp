@@ -24,6 +24,33 @@ agrid_map::Tag tagOfThing(const Thing& thing, const std_msgs::Header& header) {
   return std::visit([&header](const auto* held) { return tagOf(*held, header); }, thing);
 }
 
+/// How far the things are, the nearest first, and why one cannot be reached.
+struct Distances {
+  std::vector<Match> matches;
+  std::string problem;  ///< empty: all can
+};
+
+Distances distancesTo(const std::vector<Thing>& things, const WayFinder& ways,
+                      const agrid::PlanRequest& wanted) {
+  Distances distances;
+  for (const Thing& thing : things) {
+    Match match{thing};
+    const agrid::Plan plan = ways.planner.plan(ways.timedRequestTo(thing, wanted, false));
+    if (plan.status == agrid::PlanStatus::kCancelled) {
+      throw RequestError(Status::CANCELLED, plan.message);
+    }
+    if (plan.status == agrid::PlanStatus::kSuccess) {
+      match.distance = plan.length;
+    } else if (distances.problem.empty()) {
+      distances.problem = statusOf(plan.status, plan.message).message;
+    }
+    distances.matches.push_back(match);
+  }
+  std::stable_sort(distances.matches.begin(), distances.matches.end(),
+                   [](const Match& a, const Match& b) { return a.distance < b.distance; });
+  return distances;
+}
+
 }  // namespace
 
 agrid_map::LabelAt::Response answerLabelAt(const Ground& ground,
@@ -48,31 +75,21 @@ agrid_map::LabelAt::Response answerLabelAt(const Ground& ground,
 agrid_map::WhereIs::Response answerWhereIs(const Ground& ground,
                                            const agrid_map::WhereIs::Request& request) {
   const Snapshot& snapshot = ground.snapshot;
+  const TimeLimit limit(0, snapshot.parameters->planner.timeout, ground.waited);
+  limit.requireTime();
+  const Frames frames = ground.frames.until(limit.deadline());
   agrid::PlanRequest wanted;
   wanted.cancelled = &ground.cancelled;
   if (request.start_from_robot) {
-    wanted.start.position_map =
-        ground.frames.robotPose(snapshot.parameters->node.base_frame).position;
+    wanted.start.position_map = frames.robotPose(snapshot.parameters->node.base_frame).position;
   } else {
-    wanted.start = ground.frames.planPoint(request.start);
+    wanted.start = frames.planPoint(request.start);
   }
-  agrid_map::WhereIs::Response response;
-  std::vector<Match> matches;
   const FoundThings found = findThings(*snapshot.map, request.name, {true, true});
-  for (const Thing& thing : found.things) {
-    Match match{thing};
-    const agrid::Plan plan = snapshot.planner->plan(requestTo(thing, wanted, false));
-    if (plan.status == agrid::PlanStatus::kSuccess) {
-      match.distance = plan.length;
-    } else if (response.status.message.empty()) {
-      response.status.message = statusOf(plan.status, plan.message).message;
-    }
-    matches.push_back(match);
-  }
-  response.status.message = withRemark(found, response.status.message);
-  std::stable_sort(matches.begin(), matches.end(),
-                   [](const Match& a, const Match& b) { return a.distance < b.distance; });
-  for (const Match& match : matches) {
+  const Distances distances = distancesTo(found.things, {*snapshot.planner, limit}, wanted);
+  agrid_map::WhereIs::Response response;
+  response.status.message = withRemark(found, distances.problem);
+  for (const Match& match : distances.matches) {
     response.matches.push_back(tagOfThing(match.thing, snapshot.stamp.header));
     response.distances.push_back(match.distance);
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/services.h"
 
+#include <algorithm>
 #include <new>
+#include <thread>
 #include <type_traits>
 #include <utility>
 
@@ -14,9 +16,15 @@ namespace {
 
 using agrid_map::Status;
 
-int maxPlans(const Settings& settings) {
+Parameters parametersOf(const Settings& settings) {
   const auto parameters = settings.parameters();
-  return (parameters ? *parameters : Parameters{}).node.max_parallel_plans;
+  return parameters ? *parameters : Parameters{};
+}
+
+PlanQueue::Limits limitsOf(const NodeParams& params) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return {params.max_parallel_plans == 0 ? cores : params.max_parallel_plans,
+          params.max_queued_plans};
 }
 
 template <typename Response>
@@ -47,12 +55,10 @@ Status statusOfException() {
 
 Services::Services(const ros::NodeHandle& private_nh, const Deps& deps)
     : deps_(deps),
-      max_plans_(maxPlans(deps.settings)),
-      gate_(max_plans_),
+      limits_(limitsOf(parametersOf(deps.settings).node)),
+      plan_queue_(limits_, [this] { return parametersOf(deps_.settings).planner.timeout; }),
       question_nh_(private_nh),
-      plan_nh_(private_nh),
-      // one thread more than plans, which tells the others that the node is busy
-      plan_spinner_(static_cast<std::uint32_t>(max_plans_) + 1, &plan_queue_) {
+      plan_nh_(private_nh) {
   plan_nh_.setCallbackQueue(&plan_queue_);
   advertise<agrid_map::PlanAreas>(Kind::kPlan, "plan_areas", answerPlanAreas);
   advertise<agrid_map::PlanPath>(Kind::kPlan, "plan_path",
@@ -64,12 +70,12 @@ Services::Services(const ros::NodeHandle& private_nh, const Deps& deps)
   advertise<agrid_map::GetAGrid>(Kind::kQuestion, "get_agrid", answerGetAGrid);
   advertise<agrid_map::GetGraph>(Kind::kQuestion, "get_graph", answerGetGraph);
   servers_.push_back(question_nh_.advertiseService("rebuild", &Services::rebuild, this));
-  plan_spinner_.start();
 }
 
 Services::~Services() {
+  // first of all, as a server that shuts down hangs up on its clients
+  plan_queue_.finish();
   for (ros::ServiceServer& server : servers_) server.shutdown();
-  plan_spinner_.stop();
 }
 
 template <typename Service>
@@ -90,20 +96,33 @@ void Services::serve(Kind kind, const Answer<Service>& answer,
                      const typename Service::Request& request,
                      typename Service::Response& response) {
   try {
-    std::optional<PlanGate::Ticket> ticket;
-    if (kind == Kind::kPlan && !ticket.emplace(gate_).granted()) {
-      throw RequestError(Status::BUSY,
-                         std::to_string(max_plans_) + " requests are being planned; ask again");
-    }
+    const auto waited = kind == Kind::kPlan ? requireTurn() : PlanQueue::Clock::duration{};
     const SnapshotPtr snapshot = requireSnapshot();
     const Frames frames(deps_.transforms, deps_.cancelled, snapshot->frame(),
                         snapshot->parameters->node.tf_timeout);
-    response = answer(Ground{*snapshot, frames, deps_.cancelled}, request);
+    response = answer(Ground{*snapshot, frames, deps_.cancelled, waited}, request);
   } catch (...) {
     const Status status = statusOfException();
     deps_.log.warn("request", status.message);
     setStatus(response, status);
   }
+}
+
+PlanQueue::Clock::duration Services::requireTurn() const {
+  const PlanQueue::Call call = plan_queue_.current();
+  switch (call.turn) {
+    case Turn::kAnswer:
+      break;
+    case Turn::kBusy:
+      throw RequestError(Status::BUSY, std::to_string(limits_.running) +
+                                           " requests are being planned and " +
+                                           std::to_string(limits_.waiting) + " wait; ask again");
+    case Turn::kLate:
+      throw RequestError(Status::TIMEOUT, "the request's turn did not come in time");
+    case Turn::kCancelled:
+      throw RequestError(Status::CANCELLED, "the node is shutting down");
+  }
+  return call.waited;
 }
 
 SnapshotPtr Services::requireSnapshot() const {
@@ -118,10 +137,7 @@ agrid_map::PlanPath::Response Services::planPath(const Ground& ground,
   agrid_map::PlanPath::Response response = answerPlanPath(ground, request);
   if (response.status.code == Status::SUCCESS) deps_.outputs.publishPlan(response.path);
   const SnapshotPtr newest = deps_.builder.snapshot();
-  if (newest.get() != &ground.snapshot) {
-    std::string& message = response.status.message;
-    message += std::string(message.empty() ? "" : "; ") + "a newer map has been built meanwhile";
-  }
+  if (newest.get() != &ground.snapshot) remarkNewerMap(response.status);
   return response;
 }
 

@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
-#include <ros/spinner.h>
 #include <std_srvs/Trigger.h>
 #include <tf2/buffer_core.h>
 
@@ -17,13 +15,14 @@
 #include "ros/map_builder.h"
 #include "ros/outputs.h"
 #include "ros/plan_answers.h"
-#include "ros/plan_gate.h"
+#include "ros/plan_queue.h"
 #include "ros/settings.h"
 
 namespace agrid_map_ros {
 
 /// The services of the nodelet. Every callback returns true: the outcome is in the response, and no
-/// exception gets past it. Plans have threads of their own, so that long ones hold up nothing else.
+/// exception gets past it. Plans have threads and a line of their own, so that neither long ones
+/// nor many hold up anything else; each is answered within its timeout, counted from its arrival.
 class Services {
  public:
   /// All must outlive this.
@@ -36,7 +35,7 @@ class Services {
     const std::atomic<bool>& cancelled;  ///< set before this is destroyed
   };
   Services(const ros::NodeHandle& private_nh, const Deps& deps);
-  /// Waits for the requests that are being answered.
+  /// Answers all requests that wait, as cancelled, and waits for those that are being answered.
   ~Services();
   Services(const Services&) = delete;
   Services& operator=(const Services&) = delete;
@@ -52,6 +51,9 @@ class Services {
   template <typename Service>
   void serve(Kind kind, const Answer<Service>& answer, const typename Service::Request& request,
              typename Service::Response& response);
+  /// Answers one whose turn has come: how long it has waited.
+  /// @throws RequestError if it is to be refused
+  PlanQueue::Clock::duration requireTurn() const;
   SnapshotPtr requireSnapshot() const;
   agrid_map::PlanPath::Response planPath(const Ground& ground,
                                          const agrid_map::PlanPath::Request& request);
@@ -60,13 +62,11 @@ class Services {
   bool rebuild(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
   Deps deps_;
-  int max_plans_;
-  PlanGate gate_;
-  ros::CallbackQueue plan_queue_;
+  PlanQueue::Limits limits_;
+  PlanQueue plan_queue_;
   ros::NodeHandle question_nh_;
   ros::NodeHandle plan_nh_;
   std::vector<ros::ServiceServer> servers_;
-  ros::AsyncSpinner plan_spinner_;
 };
 
 }  // namespace agrid_map_ros

@@ -2,6 +2,7 @@
 #include "ros/way_to_things.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace agrid_map_ros {
@@ -27,6 +28,11 @@ struct Reach {
   }
 };
 
+std::string overAfter(std::size_t count, std::size_t all, const std::string& message) {
+  return (message.empty() ? "" : "; ") + std::string("the time was over after ") +
+         std::to_string(count) + " of " + std::to_string(all) + " places";
+}
+
 }  // namespace
 
 agrid::Point2 positionOf(const Thing& thing) { return std::visit(Position{}, thing); }
@@ -42,12 +48,23 @@ agrid::PlanRequest requestTo(const Thing& thing, const agrid::PlanRequest& base,
   return request;
 }
 
-agrid::Plan planToNearest(const agrid::Planner& planner, const std::vector<Thing>& things,
-                          const agrid::PlanRequest& base, bool at_anchor) {
-  agrid::Plan best = planner.plan(requestTo(things.at(0), base, at_anchor));
+agrid::PlanRequest WayFinder::timedRequestTo(const Thing& thing, const agrid::PlanRequest& base,
+                                             bool at_anchor) const {
+  agrid::PlanRequest request = requestTo(thing, base, at_anchor);
+  request.timeout = limit.left();
+  return request;
+}
+
+agrid::Plan WayFinder::planToNearest(const std::vector<Thing>& things,
+                                     const agrid::PlanRequest& base, bool at_anchor) const {
+  agrid::Plan best = planner.plan(timedRequestTo(things.at(0), base, at_anchor));
   double seconds = best.planning_time;
   for (std::size_t i = 1; i < things.size(); ++i) {
-    agrid::Plan plan = planner.plan(requestTo(things[i], base, at_anchor));
+    if (limit.isOver()) {
+      best.message += overAfter(i, things.size(), best.message);
+      break;
+    }
+    agrid::Plan plan = planner.plan(timedRequestTo(things[i], base, at_anchor));
     seconds += plan.planning_time;
     const bool better = best.status != agrid::PlanStatus::kSuccess || plan.length < best.length;
     if (plan.status == agrid::PlanStatus::kSuccess && better) best = std::move(plan);
@@ -56,11 +73,16 @@ agrid::Plan planToNearest(const agrid::Planner& planner, const std::vector<Thing
   return best;
 }
 
-agrid::RouteList routesToNearest(const agrid::Planner& planner, const std::vector<Thing>& things,
-                                 const agrid::PlanRequest& base, std::size_t max_routes) {
-  agrid::RouteList best = planner.routes(requestTo(things.at(0), base, false), max_routes);
+agrid::RouteList WayFinder::routesToNearest(const std::vector<Thing>& things,
+                                            const agrid::PlanRequest& base,
+                                            std::size_t max_routes) const {
+  agrid::RouteList best = planner.routes(timedRequestTo(things.at(0), base, false), max_routes);
   for (std::size_t i = 1; i < things.size(); ++i) {
-    agrid::RouteList list = planner.routes(requestTo(things[i], base, false), max_routes);
+    if (limit.isOver()) {
+      best.message += overAfter(i, things.size(), best.message);
+      break;
+    }
+    agrid::RouteList list = planner.routes(timedRequestTo(things[i], base, false), max_routes);
     if (list.routes.empty()) continue;
     const bool better =
         best.routes.empty() || list.routes.front().length < best.routes.front().length;

@@ -5,6 +5,7 @@
 
 #include "agrid/planning/planner.h"
 #include "ros/thing_lookup.h"
+#include "ros/time_limit.h"
 
 namespace agrid_map_ros {
 
@@ -16,12 +17,23 @@ agrid::Point2 positionOf(const Thing& thing);
 /// @param base  all but the goal
 agrid::PlanRequest requestTo(const Thing& thing, const agrid::PlanRequest& base, bool at_anchor);
 
-/// The shortest of the ways to some things; if none can be reached, what is said of the first.
-/// @param base  all but the goal
-agrid::Plan planToNearest(const agrid::Planner& planner, const std::vector<Thing>& things,
-                          const agrid::PlanRequest& base, bool at_anchor);
-/// The same for routes: those to the thing with the shortest one.
-agrid::RouteList routesToNearest(const agrid::Planner& planner, const std::vector<Thing>& things,
-                                 const agrid::PlanRequest& base, std::size_t max_routes);
+/// Looks for the nearest of some things within a time limit.
+struct WayFinder {
+  const agrid::Planner& planner;
+  const TimeLimit& limit;
+
+  /// The shortest of the ways to the things; if none can be reached, what is said of the first. The
+  /// message tells if the time was over before all were looked at.
+  /// @param base  all but goal and timeout
+  agrid::Plan planToNearest(const std::vector<Thing>& things, const agrid::PlanRequest& base,
+                            bool at_anchor) const;
+  /// The same for routes: those to the thing with the shortest one.
+  agrid::RouteList routesToNearest(const std::vector<Thing>& things, const agrid::PlanRequest& base,
+                                   std::size_t max_routes) const;
+
+  /// `base` for one thing, with the time that is left.
+  agrid::PlanRequest timedRequestTo(const Thing& thing, const agrid::PlanRequest& base,
+                                    bool at_anchor) const;
+};
 
 }  // namespace agrid_map_ros

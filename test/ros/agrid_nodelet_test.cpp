@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wiring of the nodelet: topics and services. What is answered is tested without a master.
-#include <atomic>
-#include <future>
-
 #include <gtest/gtest.h>
 #include <nav_msgs/GetMap.h>
 #include <nav_msgs/GetPlan.h>
@@ -108,21 +105,6 @@ TEST_F(Nodelet, BadRequestsSayWhatIsWrong) {
   agrid_map::LabelAt::Request label;
   label.point.point.x = -1;
   EXPECT_EQ(ask<agrid_map::LabelAt>("agrid/label_at", label).status.code, int{Status::OUTSIDE});
-}
-
-TEST_F(Nodelet, P13_BusyWhileAsManyPlansRunAsMay) {
-  useTwoRooms();
-  auto slow = pathRequest();
-  slow.goal.header.frame_id = "nowhere";  // waits for the transform as long as it may
-  std::atomic<bool> enough{false};
-  auto running = std::async(std::launch::async, [&] {
-    while (!enough) pathStatus(slow);
-  });
-  EXPECT_TRUE(eventually([this] { return pathStatus(pathRequest()) == int{Status::BUSY}; }));
-  EXPECT_EQ(graph().areas.size(), 3U);  // questions are answered all the same
-  enough = true;
-  running.get();
-  EXPECT_EQ(pathStatus(pathRequest()), int{Status::SUCCESS});
 }
 
 TEST_F(Nodelet, TheRobotsPoseByTf) {

@@ -4,68 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include "agrid/pipeline.h"
-#include "drawn_maps.h"
-#include "ros/plan_answers.h"
+#include "answers_fixture.h"
 #include "ros/question_answers.h"
-#include "ros/request_error.h"
 
 namespace agrid_map_ros {
 namespace {
 
 using agrid_map::Status;
-
-class Answers : public testing::Test {
- protected:
-  Answers() {
-    const ReceivedMap received = fromMsg(test::drawn(test::twoRoomsAndACloset()));
-    const agrid::PipelineParams pipeline;
-    const auto structure = agrid::extractStructure(
-        std::make_shared<const agrid::OccupancyMap>(received.grid), pipeline);
-    auto map = std::make_shared<agrid::SemanticMap>(agrid::annotate(structure, {}, pipeline));
-    map->area_map.areas.at(0).category = "room";
-    map->area_map.areas.at(1).category = "room";
-    snapshot_.map = map;
-    snapshot_.planner = std::make_shared<const agrid::Planner>(map, agrid::PlannerParams{});
-    snapshot_.parameters = std::make_shared<const Parameters>();
-    snapshot_.stamp.header.frame_id = "map";
-  }
-
-  std::string areaAt(double x, double y) const {
-    const agrid::Area* area = agrid::areaAt(*snapshot_.map, {x, y});
-    return area ? area->name : "";
-  }
-
-  static geometry_msgs::PoseStamped at(double x, double y) {
-    geometry_msgs::PoseStamped pose;
-    pose.pose.position.x = x;
-    pose.pose.position.y = y;
-    return pose;
-  }
-
-  agrid_map::PlanPath::Response pathTo(const geometry_msgs::PoseStamped& goal) const {
-    agrid_map::PlanPath::Request request;
-    request.start = at(2.5, 3.5);
-    request.goal = goal;
-    return answerPlanPath(ground_, request);
-  }
-
-  template <typename Answer>
-  static int codeThrown(const Answer& answer) {
-    try {
-      answer();
-    } catch (const RequestError& error) {
-      return error.code();
-    }
-    return Status::SUCCESS;
-  }
-
-  Snapshot snapshot_;
-  tf2::BufferCore transforms_;
-  std::atomic<bool> cancelled_{false};
-  Frames frames_{transforms_, cancelled_, "map", 0};
-  Ground ground_{snapshot_, frames_, cancelled_};
-};
+using Answers = test::AnswersFixture;
 
 TEST_F(Answers, PathThroughTheDoor) {
   const auto response = pathTo(at(9.5, 3.5));
@@ -79,85 +25,6 @@ TEST_F(Answers, PathThroughTheDoor) {
   EXPECT_EQ(response.map_id, snapshot_.map->map().digest());
   EXPECT_FALSE(response.cells.empty());
   EXPECT_GT(response.clearance, 0.2);
-}
-
-TEST_F(Answers, P1_StartIsGoal) {
-  const auto response = pathTo(at(2.5, 3.5));
-  EXPECT_EQ(response.status.code, int{Status::SUCCESS});
-  EXPECT_EQ(response.length, 0);
-}
-
-TEST_F(Answers, P2_P3_StartOrGoalWhereTheRobotCannotBe) {
-  EXPECT_EQ(pathTo(at(6.5, 1.5)).status.code, int{Status::GOAL_INVALID});
-  EXPECT_EQ(pathTo(at(99, 3.5)).status.code, int{Status::GOAL_INVALID});
-  agrid_map::PlanPath::Request request;
-  request.goal = at(2.5, 3.5);
-  request.start = at(1.05, 3.5);  // free, but within the radius of the wall
-  EXPECT_EQ(answerPlanPath(ground_, request).status.code, int{Status::START_INVALID});
-  request.tolerance = 0.5;
-  const auto response = answerPlanPath(ground_, request);
-  EXPECT_EQ(response.status.code, int{Status::SUCCESS}) << response.status.message;
-  EXPECT_TRUE(response.start_moved);
-  EXPECT_FALSE(response.goal_moved);
-}
-
-TEST_F(Answers, P2_NumbersThatAreNone) {
-  EXPECT_EQ(codeThrown([&] { pathTo(at(std::nan(""), 1)); }), int{Status::INVALID_REQUEST});
-}
-
-TEST_F(Answers, P5_UnreachableIsNoRoute) {
-  const auto response = pathTo(at(14.5, 3.5));
-  EXPECT_EQ(response.status.code, int{Status::NO_ROUTE});
-  EXPECT_FALSE(response.status.message.empty());
-  EXPECT_TRUE(response.path.poses.empty());
-}
-
-TEST_F(Answers, P9_P10_P11_BadNumbersAndNames) {
-  agrid_map::PlanPath::Request good;
-  good.start = at(2.5, 3.5);
-  good.goal = at(9.5, 3.5);
-  std::vector<agrid_map::PlanPath::Request> bad(7, good);
-  bad[0].robot_radius = -1;
-  bad[1].robot_radius = std::nan("");
-  bad[2].timeout = -1;
-  bad[3].timeout = 1e9;
-  bad[4].planner = "RTTConnect";
-  bad[5].tolerance = std::nan("");
-  bad[6].turning_radius = 1;
-  for (const auto& request : bad) {
-    const auto response = answerPlanPath(ground_, request);
-    EXPECT_EQ(response.status.code, int{Status::INVALID_REQUEST}) << response.status.message;
-  }
-  EXPECT_NE(answerPlanPath(ground_, bad[4]).status.message.find("RRTConnect"), std::string::npos);
-}
-
-TEST_F(Answers, P14_Cancelled) {
-  cancelled_ = true;
-  EXPECT_EQ(pathTo(at(9.5, 3.5)).status.code, int{Status::CANCELLED});
-}
-
-TEST_F(Answers, P18_SameSeedSamePathWithAPlannerOfOmpl) {
-  agrid_map::PlanPath::Request request;
-  request.start = at(2.5, 5.5);
-  request.goal = at(9.5, 5.5);
-  request.planner = "RRTConnect";
-  request.seed = 3;
-  const auto first = answerPlanPath(ground_, request);
-  ASSERT_EQ(first.status.code, int{Status::SUCCESS}) << first.status.message;
-  EXPECT_EQ(answerPlanPath(ground_, request).path, first.path);
-}
-
-TEST_F(Answers, P7_GoalByName) {
-  agrid_map::PlanPath::Request request;
-  request.start = at(2.5, 3.5);
-  request.goal_name = areaAt(9.5, 3.5);
-  const auto nearest = answerPlanPath(ground_, request);
-  ASSERT_EQ(nearest.status.code, int{Status::SUCCESS}) << nearest.status.message;
-  request.goal_at_anchor = true;
-  const auto anchor = answerPlanPath(ground_, request);
-  EXPECT_LT(nearest.length, anchor.length);
-  request.goal_name = "area_99";
-  EXPECT_EQ(codeThrown([&] { answerPlanPath(ground_, request); }), int{Status::UNKNOWN_NAME});
 }
 
 TEST_F(Answers, GoalByCategoryIsTheNearestOfIt) {

@@ -38,9 +38,10 @@ class FramesTest : public testing::Test {
     return result;
   }
 
-  int codeOf(const geometry_msgs::PoseStamped& wanted) {
+  int codeOf(const geometry_msgs::PoseStamped& wanted) { return codeOf(frames_, wanted); }
+  static int codeOf(const Frames& frames, const geometry_msgs::PoseStamped& wanted) {
     try {
-      frames_.planPoint(wanted);
+      frames.planPoint(wanted);
     } catch (const RequestError& error) {
       return error.code();
     }
@@ -97,8 +98,16 @@ TEST_F(FramesTest, P14_WaitingEndsWhenCancelled) {
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
     cancelled_ = true;
   });
-  EXPECT_THROW(patient.planPoint(pose("nowhere", 0, 0, 0)), RequestError);
+  EXPECT_EQ(codeOf(patient, pose("nowhere", 0, 0, 0)), int{Status::CANCELLED});
   canceller.join();
+}
+
+TEST_F(FramesTest, P10_WaitingEndsAtTheRequestsDeadline) {
+  const Frames patient(buffer_, cancelled_, "map", 3600);
+  const auto start = std::chrono::steady_clock::now();
+  const Frames limited = patient.until(start + std::chrono::milliseconds(20));
+  EXPECT_EQ(codeOf(limited, pose("nowhere", 0, 0, 0)), int{Status::NO_TRANSFORM});
+  EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(20));
 }
 
 TEST_F(FramesTest, T14_FrameNameIsEscapedInTheMessage) {
