@@ -22,7 +22,8 @@ struct Scene {
   std::vector<Door> doors;
   int x_lines = 1;  ///< columns of the A-Grid
   int y_lines = 1;
-  double grid_yaw = 0;  ///< of the grid against the image
+  double grid_yaw = 0;     ///< of the grid against the image
+  unsigned line_seed = 0;  ///< not 0: the lines lie anywhere, not evenly
 
   Point2 at(double x, double y) const {
     const double r = grid.geometry.resolution;
@@ -43,20 +44,37 @@ inline std::vector<double> evenEdges(double low, double high, int count) {
   return edges;
 }
 
+/// As many as even ones, but anywhere, some of them close together.
+inline std::vector<double> unevenEdges(double low, double high, int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<double> edges{low, high};
+  for (int i = 1; i < count; ++i) {
+    edges.push_back(std::uniform_real_distribution<double>(low, high)(random));
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+inline std::vector<double> edgesOf(const Scene& scene, double low, double high, int count) {
+  return scene.line_seed == 0 ? evenEdges(low, high, count)
+                              : unevenEdges(low, high, count, scene.line_seed);
+}
+
 inline std::shared_ptr<const AGrid> gridOf(const Scene& scene) {
   const MapGeometry& g = scene.grid.geometry;
   const double w = g.width * g.resolution;
   const double h = g.height * g.resolution;
   if (scene.grid_yaw == 0) {
-    return std::make_shared<const AGrid>(g.map_from_image, evenEdges(0, w, scene.x_lines),
-                                         evenEdges(0, h, scene.y_lines));
+    return std::make_shared<const AGrid>(g.map_from_image, edgesOf(scene, 0, w, scene.x_lines),
+                                         edgesOf(scene, 0, h, scene.y_lines));
   }
   // Turned about the map's middle, large enough to cover it.
   const double reach = std::hypot(w, h) / 2;
   const Pose2 image_from_grid{{w / 2, h / 2}, scene.grid_yaw};
   return std::make_shared<const AGrid>(g.map_from_image * image_from_grid,
-                                       evenEdges(-reach, reach, scene.x_lines),
-                                       evenEdges(-reach, reach, scene.y_lines));
+                                       edgesOf(scene, -reach, reach, scene.x_lines),
+                                       edgesOf(scene, -reach, reach, scene.y_lines));
 }
 
 inline void addAreas(const Scene& scene, SemanticMap& map) {
