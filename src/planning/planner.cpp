@@ -6,6 +6,7 @@
 
 #include "planning/area_routes.h"
 #include "planning/ompl/exact_space.h"
+#include "planning/planner_access.h"
 #include "planning/planner_core.h"
 
 namespace agrid {
@@ -32,10 +33,12 @@ planning::StopCheck stopOf(const PlanRequest& request, const planning::Query& qu
 
 /// Runs the steps of an answer; what ends it early becomes its status.
 template <typename Answer, typename Steps>
-Answer answer(const PlanRequest& request, const PlannerParams& params, const Steps& steps) {
+Answer answer(const PlanRequest& request, const PlannerParams& params, const SemanticMap& map,
+              const Steps& steps) {
   const auto begin = Clock::now();
   Answer refused;
-  const planning::Query query = planning::checkedQuery(request, params);
+  const double resolution = map.map().geometry().resolution;
+  const planning::Query query = planning::checkedQuery(request, params, resolution);
   refused.status = PlanStatus::kInvalidRequest;
   refused.message = query.problem;
   if (!query.problem.empty()) return refused;
@@ -75,9 +78,24 @@ const char* toString(PlanStatus status) {
   return "INVALID_REQUEST";
 }
 
+namespace {
+
+double circleRadiusOf(const SemanticMap& map, const PlannerParams& params) {
+  return planning::checkedQuery({}, params, map.map().geometry().resolution).robot_radius;
+}
+
+/// The same for the circle that leads a robot with a footprint.
+PlannerParams ofCircle(const std::shared_ptr<const SemanticMap>& map, const PlannerParams& params) {
+  PlannerParams result = params;
+  if (map) result.robot_radius = circleRadiusOf(*map, params);
+  return result;
+}
+
+}  // namespace
+
 struct Planner::Impl {
-  Impl(std::shared_ptr<const SemanticMap> map, const PlannerParams& planner_params)
-      : params(valid(planner_params)), core(std::move(map), planner_params) {
+  Impl(const std::shared_ptr<const SemanticMap>& map, const PlannerParams& planner_params)
+      : params(valid(planner_params)), core(map, ofCircle(map, planner_params)) {
     planning::silenceOmpl();
   }
   PlannerParams params;
@@ -85,17 +103,23 @@ struct Planner::Impl {
 };
 
 Planner::Planner(std::shared_ptr<const SemanticMap> map, const PlannerParams& params)
-    : impl_(std::make_unique<Impl>(std::move(map), params)) {}
+    : impl_(std::make_unique<Impl>(map, params)) {}
 
 Planner::~Planner() = default;
+
+const PlannerParams& Planner::params() const { return impl_->params; }
+
+double Planner::circleRadius() const { return circleRadiusOf(impl_->core.map(), impl_->params); }
 
 Plan Planner::plan(const PlanRequest& request) const {
   const auto begin = Clock::now();
   const planning::PlannerCore& core = impl_->core;
-  Plan plan = answer<Plan>(request, impl_->params,
+  Plan plan = answer<Plan>(request, impl_->params, core.map(),
                            [&](const planning::Query& query, const planning::StopCheck& stop) {
                              const planning::Task task = core.taskOf(request, query, stop);
-                             const auto path = core.pathOf(task, query, request.seed, stop);
+                             auto path = core.pathOf(task, query, request.seed, stop);
+                             if (query.turns())
+                               path = core.turningPathOf(task, request, query, path, stop);
                              return core.planOf(task, request, path);
                            });
   plan.planning_time = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -105,7 +129,8 @@ Plan Planner::plan(const PlanRequest& request) const {
 RouteList Planner::routes(const PlanRequest& request, std::size_t max_routes) const {
   const planning::PlannerCore& core = impl_->core;
   return answer<RouteList>(
-      request, impl_->params, [&](const planning::Query& query, const planning::StopCheck& stop) {
+      request, impl_->params, core.map(),
+      [&](const planning::Query& query, const planning::StopCheck& stop) {
         const planning::Task task = core.taskOf(request, query, stop);
         const planning::AreaRoutes area_routes(core.map(), task.level->areas(stop));
         RouteList list;
@@ -113,6 +138,10 @@ RouteList Planner::routes(const PlanRequest& request, std::size_t max_routes) co
                                        std::max<std::size_t>(max_routes, 1), stop);
         return list;
       });
+}
+
+const planning::PlannerCore& planning::PlannerAccess::core(const Planner& planner) {
+  return planner.impl_->core;
 }
 
 }  // namespace agrid

@@ -19,6 +19,12 @@ std::vector<Pose2> posesOf(const MapGeometry& geometry, const std::vector<FinePo
   return poses;
 }
 
+std::vector<Pose2> posesOf(const MapGeometry& geometry, const PlannerCore::Path& path) {
+  std::vector<Pose2> poses = posesOf(geometry, path.corners);
+  for (std::size_t i = 0; i < path.yaws.size(); ++i) poses[i].yaw = path.yaws[i];
+  return poses;
+}
+
 }  // namespace
 
 Plan PlannerCore::planOf(const Task& task, const PlanRequest& request, const Path& found) const {
@@ -26,7 +32,7 @@ Plan PlannerCore::planOf(const Task& task, const PlanRequest& request, const Pat
   const MapGeometry& geometry = map_->map().geometry();
   const std::vector<Pixel> pixels = crossedPixels(path);
   Plan plan;
-  plan.path_map = posesOf(geometry, path);
+  plan.path_map = posesOf(geometry, found);
   if (request.start.yaw) plan.path_map.front().yaw = *request.start.yaw;
   if (task.goal_yaw) plan.path_map.back().yaw = *task.goal_yaw;
   plan.cells = crossedCells(cell_rows_, pixels);

@@ -7,6 +7,7 @@
 
 #include "planning/endpoints.h"
 #include "planning/obstacles.h"
+#include "planning/ompl/swept_robot.h"
 #include "planning/path_facts.h"
 #include "planning/radius_level.h"
 #include "planning/request_check.h"
@@ -42,11 +43,21 @@ class PlannerCore {
   struct Path {
     std::vector<FinePoint> corners;  ///< each in sight of the next
     double length_bound_px = 0;      ///< no path is shorter
+    std::vector<double> yaws = {};   ///< of the robot at the corners; none: along the path
   };
   /// A short path for a task.
   /// @throws Refusal, Stopped
   Path pathOf(const Task& task, const Query& query, std::uint32_t seed,
               const StopCheck& stop) const;
+
+  /// A path for a robot with a turning radius or a footprint, along the path for one without.
+  /// @throws Refusal, Stopped
+  Path turningPathOf(const Task& task, const PlanRequest& request, const Query& query,
+                     const Path& lead, const StopCheck& stop) const;
+
+  /// A robot with a footprint, or without one a circle. Valid as long as this object.
+  std::shared_ptr<const SweptRobot> robot(double radius, const Polygon& footprint,
+                                          const StopCheck& stop) const;
 
   /// Everything that is said about a path.
   Plan planOf(const Task& task, const PlanRequest& request, const Path& path) const;

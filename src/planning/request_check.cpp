@@ -6,18 +6,14 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "planning/ompl/footprint.h"
 #include "planning/ompl/planner_by_name.h"
 
 namespace agrid {
-namespace {
-
-const char* const kOwnPlanner = "AGrid";
-
-}  // namespace
 
 std::vector<std::string> plannerNames() {
   std::vector<std::string> names = planning::omplPlannerNames();
-  names.push_back(kOwnPlanner);
+  names.push_back(planning::kOwnPlanner);
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -26,6 +22,15 @@ std::vector<std::string> plannerNames() {
 
 namespace agrid::planning {
 namespace {
+
+/// A circle that is free wherever the outline is, so that its component check never wrongs the
+/// outline: smaller than the circle inside by what the rule of clearance measures too little. The
+/// pixel of a point that is farther than r from an obstacle's square has its centre farther than
+/// r - (sqrt(2) - 1) / 2 pixels from the obstacle's centre, its square r - sqrt(2) from the other.
+double leadingRadius(const PlannerParams& params, double resolution) {
+  const double slack_px = params.clearance == Clearance::kStrict ? 1.4143 : 0.2072;
+  return std::max(0.0, Footprint(params.footprint).innerRadius() - slack_px * resolution);
+}
 
 /// Collects what is wrong with some values.
 class Problems {
@@ -38,9 +43,18 @@ class Problems {
     if (value > 0 && value <= kMaxTimeout) return;
     add("timeout", value, "must lie in (0, 60] s");
   }
-  void requireTurningOnTheSpot(double value) {
-    requireAtLeastZero("turning_radius", value);
-    if (value > 0) add("turning_radius", value, "only 0, turning on the spot, can be planned for");
+  void requireFootprint(const Polygon& footprint) {
+    if (footprint.empty()) return;
+    const std::string problem = footprintProblem(footprint);
+    if (problem.empty()) return;
+    separate();
+    text_ << problem;
+  }
+  void requireNoTurns(const Query& query) {
+    if (!query.turns() || query.planner == kOwnPlanner) return;
+    separate();
+    text_ << "planner '" << query.planner << "' plans for a circle that turns on the spot; "
+          << "turning_radius and footprint need '" << kOwnPlanner << "'";
   }
   void requirePlanner(const std::string& name) {
     if (name == kOwnPlanner || isOmplPlanner(name)) return;
@@ -66,27 +80,37 @@ class Problems {
 
 }  // namespace
 
-Query checkedQuery(const PlanRequest& request, const PlannerParams& params) {
-  Query query{request.robot_radius.value_or(params.robot_radius),
-              request.timeout.value_or(params.timeout),
-              request.planner.value_or(params.planner),
-              {}};
+Query checkedQuery(const PlanRequest& request, const PlannerParams& params, double resolution) {
+  Query query;
+  query.robot_radius = request.robot_radius.value_or(params.robot_radius);
+  query.timeout = request.timeout.value_or(params.timeout);
+  query.planner = request.planner.value_or(params.planner);
+  query.turning_radius = request.turning_radius.value_or(params.turning_radius);
+  query.motion = params.motion;
   Problems problems;
   problems.requireAtLeastZero("robot_radius", query.robot_radius);
   problems.requireAtLeastZero("tolerance", request.tolerance);
   problems.requireTimeout(query.timeout);
-  problems.requireTurningOnTheSpot(request.turning_radius.value_or(params.turning_radius));
+  problems.requireAtLeastZero("turning_radius", query.turning_radius);
+  problems.requireFootprint(params.footprint);
   problems.requirePlanner(query.planner);
   problems.requireYaw("start.yaw", request.start);
   if (const auto* goal = std::get_if<PlanPoint>(&request.goal)) {
     problems.requireYaw("goal.yaw", *goal);
   }
   query.problem = problems.text();
+  // A request that names a radius asks for a circle.
+  if (query.problem.empty() && !params.footprint.empty() && !request.robot_radius) {
+    query.footprint = params.footprint;
+    query.robot_radius = leadingRadius(params, resolution);
+  }
+  problems.requireNoTurns(query);
+  query.problem = problems.text();
   return query;
 }
 
 void requireValid(const PlannerParams& params) {
-  const std::string problem = checkedQuery(PlanRequest{}, params).problem;
+  const std::string problem = checkedQuery(PlanRequest{}, params, 0).problem;
   if (!problem.empty()) throw std::invalid_argument("PlannerParams: " + problem);
 }
 

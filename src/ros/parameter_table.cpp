@@ -62,7 +62,11 @@ void addPlanner(Table& table, agrid::PlannerParams& p) {
   table.push_back({"planner", ChoiceField{agrid::plannerNames(), [&p](std::size_t i) {
                                             p.planner = agrid::plannerNames()[i];
                                           }}});
-  table.push_back({"turning_radius", NumberField{&p.turning_radius, 0, 0}});
+  table.push_back({"turning_radius", NumberField{&p.turning_radius, 0, 1000}});
+  table.push_back({"motion", ChoiceField{{"reeds_shepp", "dubins"}, [&p](std::size_t i) {
+                                           p.motion = i == 0 ? agrid::Motion::kReedsShepp
+                                                             : agrid::Motion::kDubins;
+                                         }}});
 }
 
 void addNode(Table& table, NodeParams& p) {

@@ -46,6 +46,8 @@ PlannerParams plannerParams(const Arguments& arguments) {
   params.timeout = arguments.numberOr("timeout", params.timeout, 1e-3, 60);
   params.planner = arguments.valueOr("planner", params.planner);
   params.allow_unknown = arguments.has("allow-unknown");
+  params.turning_radius = arguments.numberOr("turning-radius", params.turning_radius, 0, 1000);
+  if (arguments.has("forwards")) params.motion = Motion::kDubins;
   if (arguments.has("strict")) params.clearance = Clearance::kStrict;
   return params;
 }
@@ -141,6 +143,8 @@ Command planCommand() {
       {"output", 'o', "OUT", "CSV to write: id,status,length_px,milliseconds", true},
       {"paths", 0, "DIR", "also write each path's points to DIR/<id>.csv: x_px,y_px"},
       {"robot-radius", 0, "M", "metres (0.2)"},
+      {"turning-radius", 0, "M", "metres; 0 turns on the spot (0)"},
+      {"forwards", 0, "", "with a turning radius: never drive backwards"},
       {"strict", 0, "", "keep every point of the path so far from every obstacle"},
       {"allow-unknown", 0, "", "unknown space is no obstacle"},
       {"count-alpha", 0, "", "count an opaque transparency as a colour, as map_server does"},

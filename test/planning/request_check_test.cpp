@@ -105,8 +105,15 @@ TEST(PlanRequest, P14_CancelledRequestsEnd) {
 TEST(PlanRequest, RefusesWhatItCannotPlanFor) {
   const Scene scene = threeRooms();
   PlanRequest request = requestFrom(scene.at(2, 4), scene.at(14, 4));
+  for (const double bad : {-0.5, kNan, kInfinity}) {
+    request.turning_radius = bad;
+    EXPECT_EQ(planIn(scene, pointRobot(), request).status, PlanStatus::kInvalidRequest);
+  }
   request.turning_radius = 0.5;
+  EXPECT_EQ(planIn(scene, pointRobot(), request).status, PlanStatus::kSuccess);
+  request.planner = "RRTConnect";
   EXPECT_EQ(planIn(scene, pointRobot(), request).status, PlanStatus::kInvalidRequest);
+  request.planner = "AGrid";
   request.turning_radius = 0;
   EXPECT_EQ(planIn(scene, pointRobot(), request).status, PlanStatus::kSuccess);
   request.tolerance = kNan;

@@ -148,7 +148,7 @@ TEST_F(Answers, P9_P10_P11_BadNumbersAndNames) {
   bad[3].timeout = 1e9;
   bad[4].planner = "RTTConnect";
   bad[5].tolerance = std::nan("");
-  bad[6].turning_radius = 1;
+  bad[6].turning_radius = -1;
   for (const auto& request : bad) {
     const auto response = answerPlanPath(ground_, request);
     EXPECT_EQ(response.status.code, int{Status::INVALID_REQUEST}) << response.status.message;

@@ -9,10 +9,15 @@
 #include <variant>
 #include <vector>
 
+#include "agrid/geometry/polygon.h"
 #include "agrid/semantic_map.h"
 #include "agrid/topology/route.h"
 
 namespace agrid {
+
+namespace planning {
+struct PlannerAccess;
+}
 
 /// Which pixels a robot's centre may be in.
 enum class Clearance {
@@ -21,13 +26,23 @@ enum class Clearance {
   kStrict    ///< every point of the pixel farther than the radius from every obstacle's square
 };
 
+/// How a robot drives.
+enum class Motion {
+  kReedsShepp,  ///< forwards and backwards (Reeds and Shepp 1990)
+  kDubins       ///< forwards only (Dubins 1957)
+};
+
 struct PlannerParams {
   double robot_radius = 0.2;  ///< [m]
   Clearance clearance = Clearance::kCostmap;
-  bool allow_unknown = false;     ///< unknown space is no obstacle
-  double timeout = 5;             ///< [s], at most 60
-  std::string planner = "AGrid";  ///< or a geometric planner of OMPL such as RRTConnect
-  double turning_radius = 0;      ///< [m]; only 0, turning on the spot, can be planned for
+  bool allow_unknown = false;           ///< unknown space is no obstacle
+  double timeout = 5;                   ///< [s], at most 60
+  std::string planner = "AGrid";        ///< or a geometric planner of OMPL such as RRTConnect
+  double turning_radius = 0;            ///< [m]; 0: the robot turns on the spot
+  Motion motion = Motion::kReedsShepp;  ///< with a turning radius or a footprint
+  /// Outline in the robot's frame, around its origin [m], instead of the circle of `robot_radius`:
+  /// no pixel that it touches may be an obstacle. Empty: the circle.
+  Polygon footprint;
 };
 
 /// Every name that `PlannerParams::planner` and `PlanRequest::planner` may have, sorted.
@@ -49,7 +64,7 @@ struct PlanRequest {
   PlanPoint start;
   std::variant<PlanPoint, AreaGoal> goal;
   double tolerance = 0;                  ///< how far start and goal may be moved to free space [m]
-  std::optional<double> robot_radius;    ///< [m], 0 is a point; none: the parameter
+  std::optional<double> robot_radius;    ///< of a circle [m], 0 is a point; none: the parameters
   std::optional<double> turning_radius;  ///< [m]; none: the parameter
   std::optional<double> timeout;         ///< [s], in (0, 60]; none: the parameter
   std::optional<std::string> planner;    ///< none: the parameter
@@ -77,7 +92,9 @@ struct Plan {
   Route route;                       ///< areas and doors that the path really crosses
   std::vector<std::uint32_t> cells;  ///< cells that the path crosses, row-major indices, in order
   /// Corners of the path on a lattice of 1/32768 pixel; headings along it, the first and the last
-  /// as asked. One pose where start and goal are the same.
+  /// as asked. One pose where start and goal are the same. With a turning radius or a footprint:
+  /// poses at most 2 pixels apart, each with the robot's heading; straight lines between them leave
+  /// the robot's curve by at most 1/100 pixel.
   std::vector<Pose2> path_map;
   double length = 0;        ///< [m]
   double length_bound = 0;  ///< no path is shorter [m]
@@ -116,7 +133,13 @@ class Planner {
   /// @param max_routes  at least 1; 0 is taken as 1
   RouteList routes(const PlanRequest& request, std::size_t max_routes) const;
 
+  const PlannerParams& params() const;
+  /// Of the circle for which the map is prepared: the parameters' radius, or with a footprint that
+  /// of a circle so small that it is free wherever the footprint is [m].
+  double circleRadius() const;
+
  private:
+  friend struct planning::PlannerAccess;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <stdexcept>
+
+#include "planning/ompl/shorten.h"
+#include "planning/ompl/turning_path.h"
+#include "planning/planner_core.h"
+
+namespace agrid::planning {
+namespace {
+
+/// An asked heading is decided at once; of those that may be chosen, others may fit.
+void requireFits(const SweptRobot& robot, const Point2& position_map,
+                 const std::optional<double>& yaw, const Refusal& refusal) {
+  if (yaw && !robot.isFree(Pose2{position_map, *yaw})) throw refusal;
+}
+
+}  // namespace
+
+std::shared_ptr<const SweptRobot> PlannerCore::robot(double radius, const Polygon& footprint,
+                                                     const StopCheck& stop) const {
+  const FreeSpace& free = levels_.get(radius, stop)->free;
+  if (footprint.empty()) return std::make_shared<const SweptRobot>(free);
+  return std::make_shared<const SweptRobot>(free, obstacles_, footprint);
+}
+
+PlannerCore::Path PlannerCore::turningPathOf(const Task& task, const PlanRequest& request,
+                                             const Query& query, const Path& lead,
+                                             const StopCheck& stop) const {
+  if (lead.corners.size() < 2 && !request.start.yaw && !task.goal_yaw) return lead;
+  const MapGeometry& geometry = map_->map().geometry();
+  const auto robot = this->robot(query.robot_radius, query.footprint, stop);
+  TurningQuery wanted;
+  wanted.turning_radius = query.turning_radius;
+  wanted.motion = query.motion;
+  for (const FinePoint p : lead.corners) wanted.lead_map.push_back(mapPoint(geometry, p));
+  wanted.start_yaw = request.start.yaw;
+  wanted.goal_yaw = task.goal_yaw;
+  wanted.seed = request.seed;
+  requireFits(*robot, wanted.lead_map.front(), wanted.start_yaw,
+              {PlanStatus::kStartInvalid, "the robot does not fit at the start with its heading"});
+  requireFits(*robot, wanted.lead_map.back(), wanted.goal_yaw,
+              {PlanStatus::kGoalInvalid, "the robot does not fit at the goal with its heading"});
+  Path path;
+  path.length_bound_px = lead.length_bound_px;
+  for (const Pose2& pose : planTurning(robot, wanted, stop)) {
+    path.corners.push_back(finePoint(pixelCoordinates(geometry, pose.position)));
+    path.yaws.push_back(pose.yaw);
+  }
+  if (path.corners.empty()) {
+    throw Refusal{PlanStatus::kTimeout,
+                  "no path was found in time for the robot's turning radius or footprint, though "
+                  "there is one for a circle inside it that turns on the spot"};
+  }
+  if (!passesOmplCheck(task.level->free, path.corners)) {
+    throw std::logic_error("Planner: the check of a robot's curve does not hold for its poses");
+  }
+  return path;
+}
+
+}  // namespace agrid::planning
