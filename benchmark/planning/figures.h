@@ -28,7 +28,7 @@ struct Figures {
   std::vector<double> bound_gaps;     ///< length / length_bound - 1
   std::vector<double> query_seconds;  ///< of the pairs with a path
   std::vector<double> no_path_seconds;
-  double transform_seconds = 0;
+  std::vector<double> transform_seconds;       ///< before and after the queries
   std::vector<double> a_star_seconds;          ///< on some of the pairs
   std::vector<double> compared_query_seconds;  ///< the planner's, on the same
   double build_seconds = 0;

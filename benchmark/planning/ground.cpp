@@ -41,14 +41,13 @@ bool columnIsFree(const Ground& ground, std::int64_t x, std::int64_t first, std:
   return true;
 }
 
-double medianTransformSeconds(const cv::Mat1b& light, cv::Mat1f& distances) {
-  const int repetitions = light.total() > 50'000'000 ? 3 : 7;
-  std::vector<double> seconds;
-  for (int i = 0; i < repetitions; ++i) {
-    seconds.push_back(secondsOf(
-        [&] { cv::distanceTransform(light, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE); }));
-  }
-  return quantile(std::move(seconds), 0.5);
+/// Pixels of an image that are free for a point: 255, else 0.
+cv::Mat1b lightOf(const std::string& image_path) {
+  const cv::Mat1b image = cv::imread(image_path, cv::IMREAD_GRAYSCALE);
+  if (image.empty()) throw std::runtime_error(image_path + " cannot be read");
+  cv::Mat1b light;
+  cv::compare(image, kFreeGrey, light, cv::CMP_GE);
+  return light;
 }
 
 }  // namespace
@@ -64,30 +63,39 @@ bool Ground::connects(const Point2& a_px, const Point2& b_px) const {
   return component != 0 && component == componentAt(b_px);
 }
 
-Ground readGround(const std::string& image_path, double radius_px) {
-  const cv::Mat1b image = cv::imread(image_path, cv::IMREAD_GRAYSCALE);
-  if (image.empty()) throw std::runtime_error(image_path + " cannot be read");
-  cv::Mat1b light;
-  cv::compare(image, kFreeGrey, light, cv::CMP_GE);
-  Ground ground;
-  ground.width = image.cols;
-  ground.height = image.rows;
+std::vector<double> transformSeconds(const std::string& image_path) {
+  const cv::Mat1b light = lightOf(image_path);
+  const int repetitions = light.total() > 50'000'000 ? 2 : 5;
+  std::vector<double> seconds;
   cv::setNumThreads(1);
+  for (int i = 0; i < repetitions; ++i) {
+    cv::Mat1f distances;
+    seconds.push_back(secondsOf(
+        [&] { cv::distanceTransform(light, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE); }));
+  }
+  cv::setNumThreads(-1);
+  return seconds;
+}
+
+Ground readGround(const std::string& image_path, double radius_px) {
+  const cv::Mat1b light = lightOf(image_path);
+  Ground ground;
+  ground.width = light.cols;
+  ground.height = light.rows;
   cv::Mat1f distances;
-  ground.transform_seconds = medianTransformSeconds(light, distances);
+  cv::distanceTransform(light, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   // the transform's squares are integers below 2^24 where they are near the radius
-  cv::Mat1b free(image.size());
+  cv::Mat1b free(light.size());
   std::transform(distances.begin(), distances.end(), free.begin(), [&](float d) {
     const double square = std::round(static_cast<double>(d) * static_cast<double>(d));
     return static_cast<std::uint8_t>(square > radius_px * radius_px ? 255 : 0);
   });
-  cv::rectangle(free, {0, 0, image.cols, image.rows}, 0);
+  cv::rectangle(free, {0, 0, light.cols, light.rows}, 0);
   distances.release();
   cv::Mat1i components;
   cv::connectedComponents(free, components, 4, CV_32S);
   ground.free.assign(free.begin(), free.end());
   ground.components.assign(components.begin(), components.end());
-  cv::setNumThreads(-1);
   return ground;
 }
 

@@ -17,7 +17,6 @@ struct Ground {
   int height = 0;
   std::vector<std::uint8_t> free;        ///< row-major
   std::vector<std::int32_t> components;  ///< of the free pixels by their sides, 0: not free
-  double transform_seconds = 0;          ///< one exact cv::distanceTransform, one thread, median
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -29,6 +28,10 @@ struct Ground {
   std::int32_t componentAt(const Point2& p_px) const;
   bool connects(const Point2& a_px, const Point2& b_px) const;
 };
+
+/// Times of an exact cv::distanceTransform of an image's free pixels, on one thread.
+/// @throws std::runtime_error if the image cannot be read
+std::vector<double> transformSeconds(const std::string& image_path);
 
 /// A pixel of the image is free if it is not on the outermost ring and its centre is more than
 /// `radius_px` from the centre of every pixel darker than 250.

@@ -66,9 +66,11 @@ const Column kColumns[] = {
     {"query_ms_max", "query max [ms]",
      [](const Figures& f) { return number(1e3 * largest(f.query_seconds)); }},
     {"transform_ms", "distanceTransform [ms]",
-     [](const Figures& f) { return number(1e3 * f.transform_seconds); }},
+     [](const Figures& f) { return number(1e3 * median(f.transform_seconds)); }},
     {"transform_over_query", "distanceTransform / query median",
-     [](const Figures& f) { return number(f.transform_seconds / median(f.query_seconds)); }},
+     [](const Figures& f) {
+       return number(median(f.transform_seconds) / median(f.query_seconds));
+     }},
     {"a_star_pairs", "pairs given to pixel A*",
      [](const Figures& f) { return count(f.a_star_seconds.size()); }},
     {"a_star_ms_median", "pixel A* median [ms]",
@@ -79,7 +81,7 @@ const Column kColumns[] = {
      }},
     {"build_s", "build, all cores [s]", [](const Figures& f) { return number(f.build_seconds); }},
     {"build_over_transform", "build / distanceTransform",
-     [](const Figures& f) { return number(f.build_seconds / f.transform_seconds); }},
+     [](const Figures& f) { return number(f.build_seconds / median(f.transform_seconds)); }},
     {"bytes_per_pixel", "kept by the planner [bytes a pixel]",
      [](const Figures& f) { return number(f.bytes / f.megapixels * 1e-6); }},
     {"no_paths", "proved 'no path'",
