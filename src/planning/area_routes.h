@@ -6,8 +6,8 @@
 
 #include "agrid/semantic_map.h"
 #include "agrid/topology/route.h"
-#include "planning/lead.h"
 #include "planning/portal_graph.h"
+#include "planning/target.h"
 
 namespace agrid::planning {
 

@@ -24,8 +24,8 @@ std::optional<std::uint32_t> componentBeside(const RadiusLevel& level, const Doo
   for (double d = geometry.resolution; d <= kReach; d += geometry.resolution / 2) {
     const auto pixel = geometry.pixelAt(door.jambs_map.midpoint() + d * out);
     if (!pixel) return std::nullopt;
-    const std::uint32_t node = level.cells.nodeAt(geometry.index(*pixel));
-    if (node != kNoNode) return level.cells.componentOf(node);
+    const std::uint32_t region = level.roadmap.regions().nodeAt(geometry.index(*pixel));
+    if (region != kNoNode) return level.roadmap.regions().componentOf(region);
   }
   return std::nullopt;
 }

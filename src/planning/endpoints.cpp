@@ -27,19 +27,10 @@ std::string describe(const MapGeometry& geometry, const Obstacles& obstacles, co
 Endpoint endpointAt(const RadiusLevel& level, FinePoint point) {
   Endpoint end;
   end.point = point;
-  end.node = level.cells.nodeAt(level.free.geometry().index(point.pixel()));
-  end.component = level.cells.componentOf(end.node);
+  const PortalGraph& regions = level.roadmap.regions();
+  end.region = regions.nodeAt(level.free.geometry().index(point.pixel()));
+  end.component = regions.componentOf(end.region);
   return end;
-}
-
-/// The lattice's point in the inside of a pixel that is nearest to the requested one: on its border
-/// it would touch the pixels beside.
-FinePoint insidePixel(Pixel p, const Point2& wanted) {
-  const FinePoint center = centerOf(p);
-  const FinePoint point = finePoint(wanted);
-  constexpr std::int64_t kReach = kFine / 2 - 1;
-  return {std::clamp(point.x, center.x - kReach, center.x + kReach),
-          std::clamp(point.y, center.y - kReach, center.y + kReach)};
 }
 
 /// For each component its pixel nearest to `wanted` within `reach_px`.
@@ -88,7 +79,7 @@ EndpointChoice chooseEndpoints(const RadiusLevel& level, const Obstacles& obstac
   }
   const Point2 wanted = pixelCoordinates(geometry, point_map);
   if (level.free.isFree(*pixel)) {
-    choice.places = {endpointAt(level, insidePixel(*pixel, wanted))};
+    choice.places = {endpointAt(level, insidePixel(*pixel, finePoint(wanted)))};
     return choice;
   }
   if (tolerance > 0) {
@@ -114,21 +105,13 @@ std::optional<std::pair<Endpoint, Endpoint>> connectedPair(const EndpointChoice&
   return best;
 }
 
-Target areaTarget(const RadiusLevel& level, const std::vector<std::uint16_t>& pixel_labels,
-                  std::uint16_t label, const PixelBox& box) {
-  const MapGeometry& geometry = level.free.geometry();
+Target areaTarget(const RadiusLevel& level, std::uint16_t label, const PixelBox& box) {
   Target target;
   target.label = label;
-  for (int y = box.low.y; y <= box.high.y; ++y) {
-    for (int x = box.low.x; x <= box.high.x; ++x) {
-      const std::size_t i = geometry.index({x, y});
-      if (pixel_labels[i] != label || level.cells.nodeAt(i) == kNoNode) continue;
-      target.box.add({x, y});
-      target.nodes.push_back(level.cells.nodeAt(i));
-    }
+  target.box = box;
+  for (std::uint32_t region = 0; region < level.roadmap.regions().nodeCount(); ++region) {
+    if (level.roadmap.labelOf(region) == label) target.regions.push_back(region);
   }
-  std::sort(target.nodes.begin(), target.nodes.end());
-  target.nodes.erase(std::unique(target.nodes.begin(), target.nodes.end()), target.nodes.end());
   return target;
 }
 

@@ -6,16 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include "planning/lead.h"
 #include "planning/obstacles.h"
 #include "planning/radius_level.h"
+#include "planning/target.h"
 
 namespace agrid::planning {
 
 /// Where a path can start or end.
 struct Endpoint {
   FinePoint point;
-  std::uint32_t node = kNoNode;  ///< of RadiusLevel::cells
+  std::uint32_t region = kNoNode;  ///< of the roadmap
   std::uint32_t component = 0;
   bool moved = false;
   double shift_px = 0;  ///< how far it was moved
@@ -35,10 +35,9 @@ EndpointChoice chooseEndpoints(const RadiusLevel& level, const Obstacles& obstac
 std::optional<std::pair<Endpoint, Endpoint>> connectedPair(const EndpointChoice& start,
                                                            const EndpointChoice& goal);
 
-/// The pixels of an area, as a target, as far as a component reaches them.
+/// An area as a target, whatever reaches it.
 /// @param label  1 + index into AreaMap::areas
 /// @param box  of the area's pixels
-Target areaTarget(const RadiusLevel& level, const std::vector<std::uint16_t>& pixel_labels,
-                  std::uint16_t label, const PixelBox& box);
+Target areaTarget(const RadiusLevel& level, std::uint16_t label, const PixelBox& box);
 
 }  // namespace agrid::planning

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -37,6 +38,15 @@ inline FinePoint centerOf(Pixel p) { return {p.x * kFine, p.y * kFine}; }
 inline FinePoint finePoint(const Point2& coordinates) {
   return {std::llround(coordinates.x() * static_cast<double>(kFine)),
           std::llround(coordinates.y() * static_cast<double>(kFine))};
+}
+
+/// The point in the inside of a pixel that is nearest to the wanted one: on its border it would
+/// touch the pixels beside.
+inline FinePoint insidePixel(Pixel p, FinePoint wanted) {
+  const FinePoint center = centerOf(p);
+  constexpr std::int64_t kReach = kFine / 2 - 1;
+  return {std::clamp(wanted.x, center.x - kReach, center.x + kReach),
+          std::clamp(wanted.y, center.y - kReach, center.y + kReach)};
 }
 
 /// In pixels, pixel centres at integers.

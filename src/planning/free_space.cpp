@@ -9,13 +9,6 @@
 #include "planning/pixel_walk.h"
 
 namespace agrid::planning {
-namespace {
-
-/// A touched pixel's centre lies at most sqrt(2)/2 from the segment, at both ends of a jump.
-constexpr double kTwoHalfDiagonals = 1.4143;
-
-}  // namespace
-
 FreeSpace::FreeSpace(const MapGeometry& geometry,
                      std::shared_ptr<const std::vector<std::int32_t>> squared_distances,
                      double robot_radius)
@@ -23,6 +16,14 @@ FreeSpace::FreeSpace(const MapGeometry& geometry,
   radius_px_ = std::round(robot_radius / geometry.resolution * 1e6) / 1e6;
   limit_ = static_cast<std::int32_t>(
       std::min(std::floor(radius_px_ * radius_px_), static_cast<double>(kFarSquared)));
+}
+
+FreeSpace FreeSpace::narrowedLess(double px) const {
+  FreeSpace wider = *this;
+  wider.radius_px_ = radius_px_ - px;
+  wider.limit_ =
+      wider.radius_px_ < 0 ? -1 : static_cast<std::int32_t>(wider.radius_px_ * wider.radius_px_);
+  return wider;
 }
 
 bool FreeSpace::canSee(FinePoint a, FinePoint b) const {

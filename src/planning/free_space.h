@@ -10,6 +10,9 @@
 
 namespace agrid::planning {
 
+/// A touched pixel's centre lies at most sqrt(2)/2 from a segment: at both ends of a jump along it.
+constexpr double kTwoHalfDiagonals = 1.4143;
+
 /// Where a robot's centre may be: the one predicate of the search, of OMPL's validity checker and
 /// of the tests. A pixel is free if its squared distance to the obstacles is greater than the
 /// squared radius (in pixels, radius / resolution rounded to 1e-6, since a message's resolution is
@@ -24,6 +27,8 @@ class FreeSpace {
 
   const MapGeometry& geometry() const { return geometry_; }
   double radiusPx() const { return radius_px_; }
+  /// The same for a radius that is smaller by `px`; all but the ring is free where none is left.
+  FreeSpace narrowedLess(double px) const;
 
   bool isFree(Pixel p) const {
     return p.x > 0 && p.y > 0 && p.x < geometry_.width - 1 && p.y < geometry_.height - 1 &&

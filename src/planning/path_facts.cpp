@@ -36,15 +36,6 @@ std::vector<Pixel> crossedPixels(const std::vector<FinePoint>& path) {
   return pixels;
 }
 
-std::vector<std::uint32_t> crossedCells(const CellRows& cells, const std::vector<Pixel>& pixels) {
-  std::vector<std::uint32_t> crossed;
-  for (const Pixel p : pixels) {
-    const std::uint32_t cell = cells.cellOf(p);
-    if (crossed.empty() || crossed.back() != cell) crossed.push_back(cell);
-  }
-  return crossed;
-}
-
 std::size_t doorBetween(const AreaMap& areas, std::size_t a, std::size_t b,
                         const Point2& near_map) {
   const AreaId id_a = areas.areas[a].id;

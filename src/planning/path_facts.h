@@ -6,7 +6,6 @@
 
 #include "agrid/semantic_map.h"
 #include "agrid/topology/route.h"
-#include "planning/cell_rows.h"
 #include "planning/free_space.h"
 #include "planning/obstacles.h"
 
@@ -14,9 +13,6 @@ namespace agrid::planning {
 
 /// The pixels whose inside a path crosses, in order of travel; none twice in a row.
 std::vector<Pixel> crossedPixels(const std::vector<FinePoint>& path);
-
-/// The cells of those pixels, in order, none twice in a row.
-std::vector<std::uint32_t> crossedCells(const CellRows& cells, const std::vector<Pixel>& pixels);
 
 /// The areas of those pixels, in order, and the doors between them: where two areas meet, the
 /// nearest of their doors. Pixels without an area are passed over. The length is left at 0.

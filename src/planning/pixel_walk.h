@@ -24,6 +24,11 @@ class SegmentRaster {
       dx_ = -dx_;
       dy_ = -dy_;
     }
+    constexpr auto kStep = static_cast<double>(kFine);
+    slope_ = dx_ == 0 ? 0 : static_cast<double>(dy_) / static_cast<double>(dx_);
+    y_at_0_ = static_cast<double>(a_.y) / kStep - static_cast<double>(a_.x) / kStep * slope_;
+    low_x_ = static_cast<double>(std::min(a_.x, b_.x)) / kStep;
+    high_x_ = static_cast<double>(std::max(a_.x, b_.x)) / kStep;
   }
 
   struct Rows {
@@ -40,15 +45,20 @@ class SegmentRaster {
     return steep_ ? Pixel{row, column} : Pixel{column, row};
   }
   /// Length of the segment per column.
-  double stretch() const {
-    if (dx_ == 0) return 1;
-    const double slope = static_cast<double>(dy_) / static_cast<double>(dx_);
-    return std::sqrt(1 + slope * slope);
-  }
+  double stretch() const { return std::sqrt(1 + slope_ * slope_); }
 
   /// Rows whose closed squares the segment touches in a column.
   Rows touched(int column) const {
     if (dx_ == 0) return {lower(a_.y), upper(a_.y)};
+    const double from = std::max(low_x_, column - 0.5);
+    const double to = std::min(high_x_, column + 0.5);
+    const double y0 = y_at_0_ + from * slope_;
+    const double y1 = y_at_0_ + to * slope_;
+    const double low = std::min(y0, y1) - 0.5;
+    const double high = std::max(y0, y1) + 0.5;
+    const auto low_row = static_cast<int>(low);
+    const auto high_row = static_cast<int>(high);
+    if (isSure(low - low_row) && isSure(high - high_row)) return {low_row + 1, high_row};
     const Extent y = extent(column);
     return {static_cast<int>(ceilDivide(y.low - y.half, 2 * y.half)),
             static_cast<int>(floorDivide(y.high + y.half, 2 * y.half))};
@@ -80,6 +90,10 @@ class SegmentRaster {
     const std::int64_t y1 = a_.y * dx_ + (x1 - a_.x) * dy_;
     return {std::min(y0, y1), std::max(y0, y1), dx_ * (kFine / 2), x0 == x1};
   }
+  /// Whether a coordinate in floating point is certainly on the same side of the border of two rows
+  /// as the exact one, by the part of it after the point. Its error is below 1e-9 up to 2^20
+  /// pixels.
+  static bool isSure(double fraction) { return fraction > 1e-6 && fraction < 1 - 1e-6; }
   static std::int64_t floorDivide(std::int64_t n, std::int64_t d) {
     return n / d - (n % d < 0 ? 1 : 0);
   }
@@ -98,6 +112,10 @@ class SegmentRaster {
   int last_ = 0;
   std::int64_t dx_ = 0;
   std::int64_t dy_ = 0;
+  double slope_ = 0;  ///< the same segment in floating point [px]
+  double y_at_0_ = 0;
+  double low_x_ = 0;
+  double high_x_ = 0;
 };
 
 /// Visits the pixels whose closed squares a segment touches, column after column along it (the

@@ -35,7 +35,7 @@ Plan PlannerCore::planOf(const Task& task, const PlanRequest& request, const Pat
   plan.path_map = posesOf(geometry, found);
   if (request.start.yaw) plan.path_map.front().yaw = *request.start.yaw;
   if (task.goal_yaw) plan.path_map.back().yaw = *task.goal_yaw;
-  plan.cells = crossedCells(cell_rows_, pixels);
+  plan.cells = cells_.cellsAlong(pixels);
   plan.length = lengthPx(path) * geometry.resolution;
   // A sum of rounded lengths may fall below a bound that is met exactly.
   plan.length_bound = std::min(found.length_bound_px * geometry.resolution, plan.length);

@@ -8,7 +8,8 @@
 #include "planning/blocking_doors.h"
 #include "planning/ompl/planner_by_name.h"
 #include "planning/ompl/shorten.h"
-#include "planning/pixel_search.h"
+#include "planning/road_search.h"
+#include "planning/taut.h"
 #include "planning/tighten.h"
 
 namespace agrid::planning {
@@ -43,9 +44,15 @@ std::shared_ptr<const std::vector<std::int32_t>> distancesOf(const SemanticMap& 
       obstacleDistances(map.map().geometry(), obstacles, clearance));
 }
 
-std::vector<PixelBox> boxesOf(const PortalGraph& graph, const Lead& lead) {
+void requireFree(const FreeSpace& free, const std::vector<FinePoint>& path) {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (!free.canSee(path[i - 1], path[i])) throw std::logic_error("Planner: a path is not free");
+  }
+}
+
+std::vector<PixelBox> boxesOf(const PortalGraph& regions, const Road& road) {
   std::vector<PixelBox> boxes;
-  for (const std::uint32_t node : lead.nodes) boxes.push_back(graph.boxOf(node));
+  for (const std::uint32_t region : road.regions) boxes.push_back(regions.boxOf(region));
   return boxes;
 }
 
@@ -54,7 +61,7 @@ std::vector<PixelBox> boxesOf(const PortalGraph& graph, const Lead& lead) {
 PlannerCore::PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerParams& params)
     : map_(requireMap(map)),
       obstacles_(*map_, params.allow_unknown),
-      cell_rows_(map_->map().geometry(), map_->grid()),
+      cells_(map_->map().geometry(), map_->grid()),
       area_boxes_(areaBoxes(*map_)),
       levels_(*map_, distancesOf(*map_, obstacles_, params.clearance)) {
   levels_.get(params.robot_radius, {});
@@ -97,7 +104,7 @@ Task PlannerCore::taskToPoint(Task task, const EndpointChoice& starts, const Poi
   }
   task.start = pair->first;
   task.target.point = pair->second.point;
-  task.target.nodes = {pair->second.node};
+  task.target.regions = {pair->second.region};
   task.target.box.add(pair->second.point.pixel());
   task.goal_moved = pair->second.moved;
   return task;
@@ -106,23 +113,22 @@ Task PlannerCore::taskToPoint(Task task, const EndpointChoice& starts, const Poi
 Task PlannerCore::taskToArea(Task task, const EndpointChoice& starts, AreaId id) const {
   const std::size_t area = areaIndex(id);
   const std::string& name = map_->area_map.areas[area].name;
-  Target target = areaTarget(*task.level, map_->area_map.pixel_labels,
-                             static_cast<std::uint16_t>(area + 1), area_boxes_[area]);
-  if (target.nodes.empty()) {
+  Target target = areaTarget(*task.level, static_cast<std::uint16_t>(area + 1), area_boxes_[area]);
+  if (target.regions.empty()) {
     throw Refusal{PlanStatus::kGoalInvalid,
                   "the robot's centre fits nowhere in the area '" + name + "'"};
   }
-  const PortalGraph& cells = task.level->cells;
-  const std::uint32_t first = cells.componentOf(target.nodes.front());
+  const PortalGraph& regions = task.level->roadmap.regions();
+  const std::uint32_t first = regions.componentOf(target.regions.front());
   for (const Endpoint& place : starts.places) {
     std::vector<std::uint32_t> reachable;
-    for (const std::uint32_t node : target.nodes) {
-      if (cells.componentOf(node) == place.component) reachable.push_back(node);
+    for (const std::uint32_t region : target.regions) {
+      if (regions.componentOf(region) == place.component) reachable.push_back(region);
     }
     if (reachable.empty()) continue;
     task.start = place;
     task.target = std::move(target);
-    task.target.nodes = std::move(reachable);
+    task.target.regions = std::move(reachable);
     return task;
   }
   throw Refusal{PlanStatus::kNoRoute,
@@ -141,16 +147,18 @@ std::size_t PlannerCore::areaIndex(AreaId id) const {
 PlannerCore::Path PlannerCore::pathOf(const Task& task, const Query& query, std::uint32_t seed,
                                       const StopCheck& stop) const {
   const FreeSpace& free = task.level->free;
-  const PortalGraph& cells = task.level->cells;
-  const SearchSpace space{&free, &cells, &map_->area_map.pixel_labels};
-  const Lead lead = findLead(cells, task.start.point, task.start.node, task.target, stop);
-  Path path{searchPixels(space, lead, task.start.point, task.target, stop), lead.length_bound_px};
-  tighten(free, path.corners);
+  const RadiusLevel& level = *task.level;
+  const RoadSearch roads(level);
+  Road road = roads.find({task.start.point, task.start.region, &task.target}, stop);
+  pullTaut(free, level.roadmap, road);
+  Path path;
+  path.length_bound_px = road.length_bound_px;
+  for (const RoadCorner& corner : road.corners) path.corners.push_back(corner.at);
   if (isOmplPlanner(query.planner) && path.corners.size() > 1) {
     const OmplQuery ompl{query.planner,
                          path.corners.front(),
                          path.corners.back(),
-                         boxesOf(cells, lead),
+                         boxesOf(level.roadmap.regions(), road),
                          kGoodEnough * lengthPx(path.corners),
                          seed};
     path.corners = planByOmpl(free, ompl, stop);
@@ -158,12 +166,10 @@ PlannerCore::Path PlannerCore::pathOf(const Task& task, const Query& query, std:
       throw Refusal{PlanStatus::kTimeout,
                     query.planner + " found no path in time, though there is one"};
     }
+    shortenByOmpl(free, seed, path.corners);
+    tighten(free, path.corners);
   }
-  shortenByOmpl(free, seed, path.corners);
-  tighten(free, path.corners);
-  if (!passesOmplCheck(free, path.corners)) {
-    throw std::logic_error("Planner: OMPL's check does not confirm a path");
-  }
+  requireFree(free, path.corners);
   return path;
 }
 

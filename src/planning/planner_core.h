@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "planning/cell_lookup.h"
 #include "planning/endpoints.h"
 #include "planning/obstacles.h"
 #include "planning/ompl/swept_robot.h"
@@ -70,7 +71,7 @@ class PlannerCore {
 
   std::shared_ptr<const SemanticMap> map_;
   Obstacles obstacles_;
-  CellRows cell_rows_;
+  CellLookup cells_;
   std::vector<PixelBox> area_boxes_;
   mutable LevelCache levels_;
 };

@@ -2,6 +2,7 @@
 #include "planning/portal_graph.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace agrid::planning {
@@ -16,11 +17,27 @@ struct Pair {
   std::uint32_t run;
 };
 
+/// The border between a pair's pixels, or those of a run, as a box on the pixels' corners: corner
+/// (x, y) lies below and to the left of pixel (x, y).
+PixelBox borderOf(const Pair& pair) {
+  PixelBox box;
+  box.add(pair.high);
+  box.add(pair.low.y == pair.high.y ? Pixel{pair.high.x, pair.high.y + 1}
+                                    : Pixel{pair.high.x + 1, pair.high.y});
+  return box;
+}
+
+PixelBox merged(PixelBox a, const PixelBox& b) {
+  a.add(b.low);
+  a.add(b.high);
+  return a;
+}
+
 /// Joins pairs of the same two nodes that lie next to each other into runs, row by row.
 class RunBuilder {
  public:
-  explicit RunBuilder(std::size_t width)
-      : rows_{std::vector<Slot>(width + 2), std::vector<Slot>(width + 2)} {}
+  RunBuilder(std::size_t width, int longest)
+      : longest_(longest), rows_{std::vector<Slot>(width + 2), std::vector<Slot>(width + 2)} {}
 
   void nextRow() {
     std::swap(rows_[0], rows_[1]);
@@ -28,22 +45,19 @@ class RunBuilder {
   }
   /// @param upwards  whether b lies above a, else beside it
   void add(Pixel p, bool upwards, std::uint32_t a, std::uint32_t b) {
+    Pair added{p, upwards ? Pixel{p.x, p.y + 1} : Pixel{p.x + 1, p.y}, a, b, sets_.add()};
+    borders_.push_back(borderOf(added));
     const auto x = static_cast<std::size_t>(p.x) + 1;
-    std::uint32_t run = kNoNode;
     for (const Slot* slot :
          {&rows_[0][x - 1], &rows_[0][x], &rows_[0][x + 1], &rows_[1][x - 1], &rows_[1][x]}) {
       for (const std::uint32_t pair : slot->pairs) {
-        if (pair == kNoNode || !sameNodes(pairs_[pair], a, b)) continue;
-        if (run != kNoNode) sets_.unite(run, pairs_[pair].run);
-        run = pairs_[pair].run;
+        if (pair != kNoNode && sameNodes(pairs_[pair], a, b)) join(pairs_[pair].run, added.run);
       }
     }
-    if (run == kNoNode) run = sets_.add();
     rows_[1][x].pairs[upwards ? 1 : 0] = static_cast<std::uint32_t>(pairs_.size());
-    pairs_.push_back({p, upwards ? Pixel{p.x, p.y + 1} : Pixel{p.x + 1, p.y}, a, b, run});
+    pairs_.push_back(added);
   }
-  const std::vector<Pair>& pairs() const { return pairs_; }
-  DisjointSets& sets() { return sets_; }
+  std::vector<Portal> portals();
 
  private:
   struct Slot {
@@ -52,19 +66,45 @@ class RunBuilder {
   static bool sameNodes(const Pair& pair, std::uint32_t a, std::uint32_t b) {
     return (pair.a == a && pair.b == b) || (pair.a == b && pair.b == a);
   }
+  void join(std::uint32_t run, std::uint32_t other) {
+    run = sets_.find(run);
+    other = sets_.find(other);
+    if (run == other) return;
+    const PixelBox box = merged(borders_[run], borders_[other]);
+    if (box.high.x - box.low.x > longest_ || box.high.y - box.low.y > longest_) return;
+    sets_.unite(run, other);
+    borders_[run] = box;
+  }
 
+  int longest_;
   std::array<std::vector<Slot>, 2> rows_;
   std::vector<Pair> pairs_;
   DisjointSets sets_;
+  std::vector<PixelBox> borders_;  ///< of the sets, by their names
 };
 
-std::vector<Portal> portalsFromRuns(RunBuilder& runs) {
-  const std::vector<std::uint32_t> number = runs.sets().numbers();
+/// How far along a run's border its farthest end lies from `portal.crossing()`. A run that rises or
+/// falls all along is as long as its box is wide and high; of any other only its length is known.
+double reachOf(const Portal& portal, std::uint32_t pair_count) {
+  const PixelBox& border = portal.border;
+  const int extent = border.high.x - border.low.x + border.high.y - border.low.y;
+  if (static_cast<std::uint32_t>(extent) != pair_count) return pair_count - 0.5;
+  const Point2 from = coordinates(portal.crossing()) + Point2(0.5, 0.5);
+  double reach = 0;
+  for (const Pixel corner : {border.low, border.high, Pixel{border.low.x, border.high.y},
+                             Pixel{border.high.x, border.low.y}}) {
+    reach = std::max(reach, (Point2(corner.x, corner.y) - from).lpNorm<1>());
+  }
+  return std::min(reach, pair_count - 0.5);
+}
+
+std::vector<Portal> RunBuilder::portals() {
+  const std::vector<std::uint32_t> number = sets_.numbers();
   std::vector<std::uint32_t> pair_count(number.size());
-  for (const Pair& pair : runs.pairs()) ++pair_count[number[pair.run]];
+  for (const Pair& pair : pairs_) ++pair_count[number[pair.run]];
   std::vector<Portal> portals;
   std::vector<std::uint32_t> seen;
-  for (const Pair& pair : runs.pairs()) {
+  for (const Pair& pair : pairs_) {
     const std::uint32_t i = number[pair.run];
     if (i >= portals.size()) {
       portals.resize(i + 1);
@@ -73,15 +113,32 @@ std::vector<Portal> portalsFromRuns(RunBuilder& runs) {
     Portal& portal = portals[i];
     portal.box.add(pair.low);
     portal.box.add(pair.high);
-    if (seen[i]++ == pair_count[i] / 2) {
-      portal.middle = pair.low;
-      portal.nodes = {pair.a, pair.b};
-    }
+    if (seen[i]++ != pair_count[i] / 2) continue;
+    portal.middle = pair.low;
+    portal.beyond = pair.high;
+    portal.nodes = {pair.a, pair.b};
+    portal.border = borders_[sets_.find(pair.run)];
+    portal.reach = reachOf(portal, pair_count[i]);
   }
   return portals;
 }
 
+double gap(double low_a, double high_a, double low_b, double high_b) {
+  return std::max({0.0, low_b - high_a, low_a - high_b});
+}
+
 }  // namespace
+
+double Portal::distanceToBorder(FinePoint p) const {
+  const Point2 from = coordinates(p) + Point2(0.5, 0.5);
+  return std::hypot(gap(border.low.x, border.high.x, from.x(), from.x()),
+                    gap(border.low.y, border.high.y, from.y(), from.y()));
+}
+
+double Portal::distanceToBorder(const Portal& other) const {
+  return std::hypot(gap(border.low.x, border.high.x, other.border.low.x, other.border.high.x),
+                    gap(border.low.y, border.high.y, other.border.low.y, other.border.high.y));
+}
 
 void PixelBox::add(Pixel p) {
   low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -89,10 +146,10 @@ void PixelBox::add(Pixel p) {
 }
 
 PortalGraph::PortalGraph(const FreeSpace& free, const ClassesOfRow& classes_of_row,
-                         const StopCheck& stop)
+                         const StopCheck& stop, int longest_portal)
     : node_at_(free.geometry().pixelCount(), kNoNode) {
   labelNodes(free, classes_of_row, stop);
-  findPortals(free.geometry(), stop);
+  findPortals(free.geometry(), stop, longest_portal);
   joinComponents();
   listPortals();
 }
@@ -144,9 +201,10 @@ void PortalGraph::numberNodes(const MapGeometry& geometry, DisjointSets& sets,
   }
 }
 
-void PortalGraph::findPortals(const MapGeometry& geometry, const StopCheck& stop) {
+void PortalGraph::findPortals(const MapGeometry& geometry, const StopCheck& stop,
+                              int longest_portal) {
   const auto width = static_cast<std::size_t>(geometry.width);
-  RunBuilder runs(width);
+  RunBuilder runs(width, longest_portal);
   for (int y = 1; y + 1 < geometry.height; ++y) {
     if (y % 64 == 0) stop.check();
     runs.nextRow();
@@ -160,7 +218,7 @@ void PortalGraph::findPortals(const MapGeometry& geometry, const StopCheck& stop
       if (above != kNoNode && above != node) runs.add({x, y}, true, node, above);
     }
   }
-  portals_ = portalsFromRuns(runs);
+  portals_ = runs.portals();
 }
 
 void PortalGraph::joinComponents() {

@@ -13,6 +13,7 @@
 namespace agrid::planning {
 
 constexpr std::uint32_t kNoNode = 0xffffffff;
+constexpr int kWholeRuns = 0x7fffffff;
 
 /// A rectangle of pixels, both corners inside.
 struct PixelBox {
@@ -24,12 +25,27 @@ struct PixelBox {
   std::size_t rows() const { return static_cast<std::size_t>(high.y - low.y + 1); }
 };
 
-/// A maximal run of pixel pairs (side by side or one above the other) whose two pixels are free and
-/// lie in two nodes.
+/// A run of pixel pairs (side by side or one above the other) whose two pixels are free and lie in
+/// two nodes: a maximal one, or a part of one that is no longer than asked for.
 struct Portal {
   std::array<std::uint32_t, 2> nodes{kNoNode, kNoNode};
   Pixel middle;  ///< a pixel of its middle pair, in nodes[0]
+  Pixel beyond;  ///< the other pixel of its middle pair, in nodes[1]
   PixelBox box;  ///< of the pixels of its pairs on both sides
+  PixelBox
+      border;  ///< of the borders between its pairs, in corners: (x, y) is pixel (x, y)'s lower
+  double reach = 0;  ///< no place on those borders is farther from crossing() by path [px]
+
+  /// The middle of the border between the pixels of the middle pair.
+  FinePoint crossing() const {
+    return {(std::int64_t{middle.x} + beyond.x) * (kFine / 2),
+            (std::int64_t{middle.y} + beyond.y) * (kFine / 2)};
+  }
+  /// Distance of a point to the border's box [px].
+  double distanceToBorder(FinePoint p) const;
+  /// Between two borders' boxes [px].
+  double distanceToBorder(const Portal& other) const;
+  std::size_t sideOf(std::uint32_t node) const { return nodes[0] == node ? 0 : 1; }
 
   std::uint32_t other(std::uint32_t node) const { return nodes[nodes[0] == node ? 1 : 0]; }
 };
@@ -43,8 +59,9 @@ using ClassesOfRow = std::function<void(int, std::vector<std::uint32_t>&)>;
 /// and any size of cells: classes index free space, they never decide what is free.
 class PortalGraph {
  public:
-  PortalGraph(const FreeSpace& free, const ClassesOfRow& classes_of_row,
-              const StopCheck& stop = {});
+  /// @param longest_portal  runs are cut into parts at most so long and so wide [px]
+  PortalGraph(const FreeSpace& free, const ClassesOfRow& classes_of_row, const StopCheck& stop = {},
+              int longest_portal = kWholeRuns);
 
   /// The node of a pixel that the map contains; kNoNode if it is not free.
   std::uint32_t nodeAt(std::size_t pixel_index) const { return node_at_[pixel_index]; }
@@ -71,7 +88,7 @@ class PortalGraph {
   void labelNodes(const FreeSpace& free, const ClassesOfRow& classes_of_row, const StopCheck& stop);
   void numberNodes(const MapGeometry& geometry, DisjointSets& sets,
                    const std::vector<std::uint32_t>& class_of_set);
-  void findPortals(const MapGeometry& geometry, const StopCheck& stop);
+  void findPortals(const MapGeometry& geometry, const StopCheck& stop, int longest_portal);
   void joinComponents();
   void listPortals();
 

@@ -10,16 +10,14 @@ namespace {
 /// Each takes 4 to 8 bytes a pixel.
 constexpr std::size_t kMaxLevels = 4;
 
-PortalGraph cellGraph(const SemanticMap& map, const FreeSpace& free, const StopCheck& stop) {
-  const CellRows rows(free.geometry(), map.grid());
-  return PortalGraph(
-      free, [&](int y, std::vector<std::uint32_t>& cells) { rows.cellsOfRow(y, cells); }, stop);
-}
-
 }  // namespace
 
 RadiusLevel::RadiusLevel(const SemanticMap& map, const FreeSpace& free_space, const StopCheck& stop)
-    : free(free_space), cells(cellGraph(map, free_space, stop)), map_(map) {}
+    : free(free_space),
+      roadmap(free_space, map.area_map.pixel_labels, stop),
+      path_landmarks(roadmap, Measure::kPath, stop),
+      least_landmarks(roadmap, Measure::kLeast, stop),
+      map_(map) {}
 
 const PortalGraph& RadiusLevel::areas(const StopCheck& stop) const {
   const std::lock_guard<std::mutex> lock(mutex_);

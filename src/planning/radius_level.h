@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "agrid/semantic_map.h"
-#include "planning/cell_rows.h"
 #include "planning/free_space.h"
+#include "planning/landmarks.h"
 #include "planning/portal_graph.h"
+#include "planning/roadmap.h"
 
 namespace agrid::planning {
 
@@ -19,7 +20,9 @@ class RadiusLevel {
   RadiusLevel(const SemanticMap& map, const FreeSpace& free_space, const StopCheck& stop);
 
   const FreeSpace free;
-  const PortalGraph cells;  ///< second level: its classes are the cells
+  const Roadmap roadmap;
+  const Landmarks path_landmarks;
+  const Landmarks least_landmarks;
 
   /// First level: its classes are the labels of the areas. Made when it is first asked for.
   const PortalGraph& areas(const StopCheck& stop) const;

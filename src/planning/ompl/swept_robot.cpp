@@ -10,8 +10,6 @@ namespace {
 
 /// A part of a motion that is this short and not proved free is taken as not free [px].
 constexpr double kShortest = 1.0 / 128;
-/// The centres of the pixels of two points are at most so much farther apart than the points.
-constexpr double kTwoHalfDiagonals = 1.4143;
 
 Polygon scaled(const Polygon& polygon, double factor) {
   Polygon result = polygon;

@@ -9,14 +9,13 @@
 
 namespace agrid::planning {
 
-/// Which cell of the A-Grid holds a pixel's centre, as row-major indices; a centre outside the grid
+/// Which cells of the A-Grid hold pixels' centres, as row-major indices; a centre outside the grid
 /// belongs to the nearest cell.
-class CellRows {
+class CellLookup {
  public:
-  CellRows(const MapGeometry& geometry, const AGrid& grid);
-  /// @param cells  as many as the map has columns
-  void cellsOfRow(int y, std::vector<std::uint32_t>& cells) const;
-  std::uint32_t cellOf(Pixel p) const;
+  CellLookup(const MapGeometry& geometry, const AGrid& grid);
+  /// Of a path's pixels, in order; none twice in a row.
+  std::vector<std::uint32_t> cellsAlong(const std::vector<Pixel>& pixels) const;
 
  private:
   const AGrid* grid_;
