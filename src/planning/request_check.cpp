@@ -18,6 +18,10 @@ std::vector<std::string> plannerNames() {
   return names;
 }
 
+std::string problemOf(const PlannerParams& params) {
+  return planning::checkedQuery(PlanRequest{}, params, 0).problem;
+}
+
 }  // namespace agrid
 
 namespace agrid::planning {
@@ -110,7 +114,7 @@ Query checkedQuery(const PlanRequest& request, const PlannerParams& params, doub
 }
 
 void requireValid(const PlannerParams& params) {
-  const std::string problem = checkedQuery(PlanRequest{}, params, 0).problem;
+  const std::string problem = problemOf(params);
   if (!problem.empty()) throw std::invalid_argument("PlannerParams: " + problem);
 }
 

@@ -14,6 +14,34 @@ void requireFits(const SweptRobot& robot, const Point2& position_map,
   if (yaw && !robot.isFree(Pose2{position_map, *yaw})) throw refusal;
 }
 
+/// The same request for a circle around the whole robot, which may start and end near by.
+PlanRequest around(const PlanRequest& request, const TurningQuery& wanted, double radius) {
+  PlanRequest result = request;
+  result.start.position_map = wanted.lead_map.front();
+  PlanPoint goal;
+  goal.position_map = wanted.lead_map.back();
+  result.goal = goal;
+  result.tolerance = 2 * radius;
+  return result;
+}
+
+/// Where the outline does not pass as the circle inside does, the circle around it shows a way;
+/// empty if it doesn't.
+std::vector<Point2> detour(const PlannerCore& core, const TurningQuery& wanted,
+                           const PlanRequest& request, const Query& wide, const StopCheck& stop) {
+  std::vector<Point2> corners{wanted.lead_map.front()};
+  try {
+    const Task task = core.taskOf(around(request, wanted, wide.robot_radius), wide, stop);
+    for (const FinePoint p : core.pathOf(task, wide, request.seed, stop).corners) {
+      corners.push_back(mapPoint(core.map().map().geometry(), p));
+    }
+  } catch (const Refusal&) {
+    return {};
+  }
+  corners.push_back(wanted.lead_map.back());
+  return corners;
+}
+
 }  // namespace
 
 std::shared_ptr<const SweptRobot> PlannerCore::robot(double radius, const Polygon& footprint,
@@ -40,6 +68,11 @@ PlannerCore::Path PlannerCore::turningPathOf(const Task& task, const PlanRequest
               {PlanStatus::kStartInvalid, "the robot does not fit at the start with its heading"});
   requireFits(*robot, wanted.lead_map.back(), wanted.goal_yaw,
               {PlanStatus::kGoalInvalid, "the robot does not fit at the goal with its heading"});
+  Query wide = query;
+  wide.robot_radius = robot->outerRadius();
+  if (!query.footprint.empty()) {
+    wanted.detour_map = [&] { return detour(*this, wanted, request, wide, stop); };
+  }
   Path path;
   path.length_bound_px = lead.length_bound_px;
   for (const Pose2& pose : planTurning(robot, wanted, stop)) {

@@ -63,6 +63,7 @@ void addPlanner(Table& table, agrid::PlannerParams& p) {
                                             p.planner = agrid::plannerNames()[i];
                                           }}});
   table.push_back({"turning_radius", NumberField{&p.turning_radius, 0, 1000}});
+  table.push_back({"footprint", PolygonField{&p.footprint}});
   table.push_back({"motion", ChoiceField{{"reeds_shepp", "dubins"}, [&p](std::size_t i) {
                                            p.motion = i == 0 ? agrid::Motion::kReedsShepp
                                                              : agrid::Motion::kDubins;

@@ -30,6 +30,11 @@ struct TextField {
   std::string* value;
 };
 
+/// A list of points, each a list of two numbers.
+struct PolygonField {
+  agrid::Polygon* value;
+};
+
 /// One word out of a few.
 struct ChoiceField {
   std::vector<std::string> words;
@@ -39,7 +44,7 @@ struct ChoiceField {
 /// A parameter's name and where its value goes.
 struct ParameterEntry {
   std::string name;
-  std::variant<NumberField, IntegerField, FlagField, TextField, ChoiceField> field;
+  std::variant<NumberField, IntegerField, FlagField, TextField, ChoiceField, PolygonField> field;
 };
 
 /// Every parameter there is; the entries point into `parameters`.

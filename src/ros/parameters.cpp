@@ -15,6 +15,7 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 constexpr std::size_t kLongestText = 256;  // bytes
+constexpr int kMostPoints = 1001;          // of a polygon; one more than any may have
 
 std::string typeName(XmlRpcValue::Type type) {
   switch (type) {
@@ -46,12 +47,9 @@ struct Store {
   XmlRpcValue& value;
 
   void operator()(const NumberField& field) const {
-    // a parameter file that says 5 sends an integer
-    const bool integer = value.getType() == XmlRpcValue::TypeInt;
-    if (!integer) requireType(value, XmlRpcValue::TypeDouble);
-    const double number = integer ? static_cast<int&>(value) : static_cast<double&>(value);
-    requireRange(number, field.low, field.high);
-    *field.value = number;
+    const double read = number(value);
+    requireRange(read, field.low, field.high);
+    *field.value = read;
   }
   void operator()(const IntegerField& field) const {
     requireType(value, XmlRpcValue::TypeInt);
@@ -73,8 +71,26 @@ struct Store {
     }
     field.choose(static_cast<std::size_t>(found - field.words.begin()));
   }
+  void operator()(const PolygonField& field) const {
+    requireType(value, XmlRpcValue::TypeArray);
+    agrid::Polygon polygon;
+    for (int i = 0; i < value.size() && i < kMostPoints; ++i) {
+      XmlRpcValue& point = value[i];
+      if (point.getType() != XmlRpcValue::TypeArray || point.size() != 2) {
+        throw std::invalid_argument("must be a list of points [x, y]");
+      }
+      polygon.emplace_back(number(point[0]), number(point[1]));
+    }
+    *field.value = polygon;
+  }
 
  private:
+  // a parameter file that says 5 sends an integer
+  static double number(XmlRpcValue& value) {
+    if (value.getType() == XmlRpcValue::TypeInt) return static_cast<int&>(value);
+    requireType(value, XmlRpcValue::TypeDouble);
+    return static_cast<double&>(value);
+  }
   // the comparison is false for NaN, too
   static void requireRange(double number, double low, double high) {
     if (number >= low && number <= high) return;
@@ -107,6 +123,8 @@ std::vector<std::string> contradictions(const Parameters& p) {
   const agrid::PassageParams& passages = p.pipeline.areas.passages;
   require(passages.min_width <= passages.max_width,
           "passage_min_width must not exceed passage_max_width");
+  const std::string planner = agrid::problemOf(p.planner);
+  require(planner.empty(), planner);
   return errors;
 }
 

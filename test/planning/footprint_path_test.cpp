@@ -63,6 +63,20 @@ TEST(FootprintPath, FitsThroughAPassageAlongOneHeadingOnly) {
   EXPECT_EQ(Planner(test::mapOf(scene), longRobot()).plan(circle).status, PlanStatus::kNoRoute);
 }
 
+TEST(FootprintPath, TakesADetourWhereOnlyTheCircleInsideFits) {
+  std::vector<std::string> rows = hall(90, 120);
+  fill(rows, 40, 44, 1, 28);
+  fill(rows, 40, 44, 32, 95);  // the short way is 0.4 m wide, the long one 2.4 m
+  const Scene scene = halls(rows);
+  PlannerParams params = longRobot();
+  params.turning_radius = 0.5;
+  const Planner planner(test::mapOf(scene), params);
+  const Plan plan = planner.plan(request(scene, {20, 90}, 0, {65, 90}, 0));
+  expectFits(scene, params, plan);
+  EXPECT_GT(plan.length, 2 * plan.length_bound);
+  EXPECT_LT(plan.length, 4.5 * plan.length_bound);
+}
+
 TEST(FootprintPath, TooWideForThePassageIsNoRouteOrOutOfTime) {
   std::vector<std::string> rows = hall(80, 60);
   fill(rows, 35, 45, 0, 28);

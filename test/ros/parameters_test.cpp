@@ -93,6 +93,43 @@ TEST(Parameters, R2_OutOfRangeIsAnErrorThatNamesTheRange) {
                        "costmap, strict"));
 }
 
+XmlRpcValue polygon(const std::vector<std::pair<double, double>>& points) {
+  XmlRpcValue list;
+  list.setSize(0);
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    list[i][0] = points[static_cast<std::size_t>(i)].first;
+    list[i][1] = points[static_cast<std::size_t>(i)].second;
+  }
+  return list;
+}
+
+TEST(Parameters, FootprintIsAListOfPoints) {
+  XmlRpcValue list = polygon({{0.5, 0.25}, {-0.5, 0.25}, {0, -0.25}});
+  list[2][0] = 0;  // an integer
+  const ParameterReading reading = readParameters(with("footprint", list));
+  ASSERT_TRUE(reading.errors.empty()) << reading.errors.front();
+  ASSERT_EQ(reading.parameters.planner.footprint.size(), 3U);
+  EXPECT_EQ(reading.parameters.planner.footprint[2], agrid::Point2(0, -0.25));
+  EXPECT_TRUE(readParameters(with("footprint", polygon({}))).errors.empty());
+}
+
+TEST(Parameters, R2_R4_BadFootprintIsOneError) {
+  XmlRpcValue flat;
+  flat[0] = 0.5;
+  XmlRpcValue text = polygon({{1, 1}, {-1, 1}, {0, -1}});
+  text[1][1] = std::string("1");
+  XmlRpcValue three = polygon({{1, 1}, {-1, 1}, {0, -1}});
+  three[1][2] = 0.0;
+  for (const XmlRpcValue& bad :
+       {flat, text, three, XmlRpcValue(0.5), polygon({{1, 1}, {-1, 1}}),
+        polygon({{1, 1}, {std::nan(""), 1}, {0, -1}}),
+        polygon({{1, 1}, {-1, -1}, {1, -1}, {-1, 1}}), polygon({{1, 1}, {2, 1}, {2, 2}}),
+        polygon(std::vector<std::pair<double, double>>(5000))}) {
+    const ParameterReading reading = readParameters(with("footprint", bad));
+    EXPECT_TRUE(contains(onlyError(reading), "footprint")) << onlyError(reading);
+  }
+}
+
 TEST(Parameters, R2_InvertedPairs) {
   EXPECT_TRUE(contains(onlyError(readParameters(with("canny_low", 31))), "canny_low"));
   EXPECT_TRUE(contains(onlyError(readParameters(with("min_threshold", 350))), "min_threshold"));
@@ -152,6 +189,7 @@ struct ExpectDefault {
   void operator()(const IntegerField& f) const { EXPECT_EQ(node.as<int>(), *f.value); }
   void operator()(const FlagField& f) const { EXPECT_EQ(node.as<bool>(), *f.value); }
   void operator()(const TextField& f) const { EXPECT_EQ(node.as<std::string>(), *f.value); }
+  void operator()(const PolygonField& f) const { EXPECT_EQ(node.size(), f.value->size()); }
   void operator()(const ChoiceField& f) const {
     EXPECT_NE(std::find(f.words.begin(), f.words.end(), node.as<std::string>()), f.words.end());
   }
@@ -165,8 +203,7 @@ TEST(Parameters, CodeConfigAndDocumentNameTheSameSetWithTheSameDefaults) {
     SCOPED_TRACE(entry.name);
     ASSERT_TRUE(config[entry.name]);
     std::visit(ExpectDefault{config[entry.name]}, entry.field);
-    EXPECT_EQ(YAML::Load(in_document[entry.name]).as<std::string>(),
-              config[entry.name].as<std::string>());
+    EXPECT_EQ(YAML::Dump(YAML::Load(in_document[entry.name])), YAML::Dump(config[entry.name]));
   }
   EXPECT_EQ(config.size(), parameterNames().size());
   EXPECT_EQ(in_document.size(), parameterNames().size());

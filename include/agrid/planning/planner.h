@@ -45,6 +45,9 @@ struct PlannerParams {
   Polygon footprint;
 };
 
+/// What is wrong with parameters, naming field, value and bound; empty if nothing is.
+std::string problemOf(const PlannerParams& params);
+
 /// Every name that `PlannerParams::planner` and `PlanRequest::planner` may have, sorted.
 std::vector<std::string> plannerNames();
 

@@ -202,9 +202,10 @@ void LeadRoadmap::link(std::size_t index) {
   }
 }
 
-std::vector<const ob::State*> LeadRoadmap::solve(const ob::PlannerTerminationCondition& stop) {
+std::vector<const ob::State*> LeadRoadmap::solve(const ob::PlannerTerminationCondition& stop,
+                                                 int rounds) {
   std::vector<const ob::State*> path;
-  while (!stop && path.empty()) {
+  for (int i = 0; i < rounds && path.empty() && !stop; ++i) {
     grow();
     Search search(*this);
     for (const std::uint32_t node : search.run(stop)) path.push_back(nodes_[node].state);

@@ -30,9 +30,11 @@ class LeadRoadmap {
   void addStart(const ompl::base::State* state);
   void addGoal(const ompl::base::State* state);
 
-  /// Grows until there is a path from a start to a goal; `stop` is asked after every motion.
-  /// @return the states of the path, owned by this object; none when it was stopped
-  std::vector<const ompl::base::State*> solve(const ompl::base::PlannerTerminationCondition& stop);
+  /// Grows until there is a path from a start to a goal, at most so many times; `stop` is asked
+  /// after every motion. Can be called again to go on.
+  /// @return the states of the path, owned by this object; none if there is none yet
+  std::vector<const ompl::base::State*> solve(const ompl::base::PlannerTerminationCondition& stop,
+                                              int rounds);
 
   void getData(ompl::base::PlannerData& data) const;
 

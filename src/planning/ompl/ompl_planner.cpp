@@ -2,6 +2,7 @@
 #include "agrid/planning/ompl_planner.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -22,6 +23,7 @@ namespace ob = ompl::base;
 
 /// Further starts and goals of a problem are left out.
 constexpr std::size_t kMaxEnds = 8;
+constexpr int kNoLimit = std::numeric_limits<int>::max();
 
 std::shared_ptr<const agrid::Planner> requirePlanner(
     std::shared_ptr<const agrid::Planner> planner) {
@@ -218,7 +220,7 @@ ob::PlannerStatus AGridPlanner::solveAlong(const ob::PlannerTerminationCondition
     }
   }
   if (path.list.empty()) {
-    for (const ob::State* state : impl_->roadmap->solve(stop)) path.addCopy(state);
+    for (const ob::State* state : impl_->roadmap->solve(stop, kNoLimit)) path.addCopy(state);
     if (path.list.empty()) return ob::PlannerStatus::TIMEOUT;
     planning::shortenAlong(impl_->space, impl_->seed + 1, stop, path.list);
   }

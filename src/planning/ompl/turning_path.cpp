@@ -22,6 +22,8 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kStepPx = 2;
 constexpr double kMaxSagittaPx = 0.01;
 constexpr double kMaxTurn = 0.2;  ///< between two poses on the spot [rad]
+/// How often the roadmap along the first lead grows before another lead is asked for.
+constexpr int kFirstRounds = 4;
 /// Turning by one radian on the spot counts as so many metres.
 constexpr double kTurnCost = 0.1;
 
@@ -67,16 +69,18 @@ class TurningPlan {
   TurningPlan& operator=(const TurningPlan&) = delete;
 
   void run(const ob::PlannerTerminationCondition& stop) {
-    const LeadPath lead(query_.lead_map);
-    LeadRoadmap roadmap(space_, lead, scale_, query_.seed);
-    const double all = lead.length();
-    for (const auto& state : states(lead.at(0), query_.start_yaw, lead.heading(0, 0, scale_))) {
-      roadmap.addStart(state.get());
+    std::vector<std::unique_ptr<LeadRoadmap>> roadmaps;
+    roadmaps.push_back(roadmapAlong(query_.lead_map));
+    for (int rounds = kFirstRounds; path_.empty() && !stop; rounds *= 2) {
+      for (const auto& roadmap : roadmaps) {
+        const auto states = roadmap->solve(stop, rounds);
+        for (const ob::State* state : states) path_.push_back(space_->cloneState(state));
+        if (!path_.empty()) break;
+      }
+      if (!path_.empty() || rounds > kFirstRounds || !query_.detour_map) continue;
+      const std::vector<Point2> detour = query_.detour_map();
+      if (!detour.empty()) roadmaps.push_back(roadmapAlong(detour));
     }
-    for (const auto& state : states(lead.at(all), query_.goal_yaw, lead.heading(all, scale_, 0))) {
-      roadmap.addGoal(state.get());
-    }
-    for (const ob::State* state : roadmap.solve(stop)) path_.push_back(space_->cloneState(state));
     shortenAlong(space_, query_.seed + 1, stop, path_);
   }
 
@@ -95,6 +99,18 @@ class TurningPlan {
   }
 
  private:
+  std::unique_ptr<LeadRoadmap> roadmapAlong(const std::vector<Point2>& corners) const {
+    const LeadPath lead(corners);
+    auto roadmap = std::make_unique<LeadRoadmap>(space_, lead, scale_, query_.seed);
+    const double all = lead.length();
+    for (const auto& state : states(lead.at(0), query_.start_yaw, lead.heading(0, 0, scale_))) {
+      roadmap->addStart(state.get());
+    }
+    for (const auto& state : states(lead.at(all), query_.goal_yaw, lead.heading(all, scale_, 0))) {
+      roadmap->addGoal(state.get());
+    }
+    return roadmap;
+  }
   std::vector<ob::ScopedState<>> states(const Point2& position, const std::optional<double>& asked,
                                         double along) const {
     const SpaceMotions motions(space_->getStateSpace());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,6 +23,8 @@ struct TurningQuery {
   double turning_radius = 0;  ///< [m]; 0: it turns on the spot
   Motion motion = Motion::kReedsShepp;
   std::vector<Point2> lead_map;  ///< from start to goal; at least one corner
+  /// Another lead from start to goal, asked for if the first does not help at once; may be empty.
+  std::function<std::vector<Point2>()> detour_map;
   std::optional<double> start_yaw;
   std::optional<double> goal_yaw;
   std::uint32_t seed = 0;
