@@ -154,11 +154,22 @@ void LeadRoadmap::addUniform() {
 }
 
 void LeadRoadmap::addLeadItself() {
+  struct Bend {
+    double around;   ///< way over which the corner is rounded
+    double outside;  ///< distance from the corner, which may touch what is not free
+  };
   const double scale = samples_.scale();
-  for (std::size_t i = 1; i + 1 < lead_.corners().size(); ++i) {
+  const std::vector<Point2>& corners = lead_.corners();
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const Point2 inwards =
+        (corners[i + 1] - corners[i]).normalized() + (corners[i - 1] - corners[i]).normalized();
+    const Point2 outwards = inwards.norm() > 1e-9 ? Point2(-inwards.normalized()) : Point2(0, 0);
     const double along = lead_.lengthAt(i);
-    for (const double around : {0.1, 1.0, 2.0}) {
-      add({lead_.corners()[i], lead_.heading(along, around * scale, around * scale)}, along);
+    for (const Bend& bend :
+         {Bend{0.1, 0}, Bend{0.1, 0.005}, Bend{1, 0.005}, Bend{1, 0.03}, Bend{2, 0.1}}) {
+      add({corners[i] + bend.outside * scale * outwards,
+           lead_.heading(along, bend.around * scale, bend.around * scale)},
+          along);
     }
   }
 }
