@@ -214,9 +214,9 @@ void print(const std::string& space, const std::map<std::string, Row>& rows) {
     const auto most = [](const std::vector<double>& values) {
       return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
     };
-    std::printf("| %s | %d of %d | %.4f | %.3f | %.3f | %.3f |\n", name.substr(sizeof "geometric_1").c_str(),
-                row.solved, row.runs, middle(row.seconds), most(row.seconds), middle(row.ratios),
-                most(row.ratios));
+    std::printf("| %s | %d of %d | %.4f | %.3f | %.3f | %.3f |\n",
+                name.substr(sizeof "geometric_1").c_str(), row.solved, row.runs,
+                middle(row.seconds), most(row.seconds), middle(row.ratios), most(row.ratios));
   }
 }
 
