@@ -64,10 +64,9 @@ std::vector<std::size_t> acceptSeeds(std::vector<AreaTag> tags, const Relief& re
   return seeds;
 }
 
-/// Leaves out the areas without a free pixel and, beyond what a label can count, the smallest.
-void dropAreas(const OccupancyMap& map, AreaLabels& labels) {
-  const std::size_t count = labels.tags.size();
-  std::vector<std::size_t> sizes(count);
+/// How many free pixels each area has.
+std::vector<std::size_t> sizesOf(const AreaLabels& labels, const OccupancyMap& map) {
+  std::vector<std::size_t> sizes(labels.tags.size());
   const MapGeometry& geometry = map.geometry();
   for (int y = 0; y < geometry.height; ++y) {
     const Occupancy* pixels = map.pixels().data() + geometry.index({0, y});
@@ -78,28 +77,7 @@ void dropAreas(const OccupancyMap& map, AreaLabels& labels) {
       sizes[label] += static_cast<std::size_t>(free);
     });
   }
-  std::vector<std::uint32_t> order(count);
-  for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return sizes[a] > sizes[b]; });
-  if (count > kMaxAreas) {
-    labels.warnings.push_back("of " + std::to_string(count) + " areas the " +
-                              std::to_string(count - kMaxAreas) + " smallest are left out");
-  }
-  while (!order.empty() && (order.size() > kMaxAreas || sizes[order.back()] == 0)) order.pop_back();
-  if (order.size() == count) return;
-
-  std::sort(order.begin(), order.end());
-  std::vector<std::uint32_t> new_label(count, kNone);
-  std::vector<AreaTag> kept;
-  for (const std::uint32_t old : order) {
-    new_label[old] = static_cast<std::uint32_t>(kept.size());
-    kept.push_back(std::move(labels.tags[old]));
-  }
-  labels.tags = std::move(kept);
-  for (std::uint32_t& label : labels.of_pixel) {
-    if (label != kNone) label = new_label[label];
-  }
+  return sizes;
 }
 
 void nameAreas(std::vector<AreaTag>& tags) {
@@ -117,6 +95,38 @@ int openingSide(const AreaParams& params, const MapGeometry& geometry) {
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> dropAreas(const OccupancyMap& map, AreaLabels& labels) {
+  const std::size_t count = labels.tags.size();
+  const std::vector<std::size_t> sizes = sizesOf(labels, map);
+  std::vector<std::uint32_t> order(count);
+  for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return sizes[a] > sizes[b]; });
+  if (count > kMaxAreas) {
+    labels.warnings.push_back("of " + std::to_string(count) + " areas the " +
+                              std::to_string(count - kMaxAreas) + " smallest are left out");
+  }
+  while (!order.empty() && (order.size() > kMaxAreas || sizes[order.back()] == 0)) order.pop_back();
+  if (order.size() == count) return {};
+  std::sort(order.begin(), order.end());
+  std::vector<std::uint32_t> new_label(count, kNone);
+  std::uint32_t next = 0;
+  for (const std::uint32_t old : order) new_label[old] = next++;
+  relabel(new_label, labels);
+  return new_label;
+}
+
+void relabel(const std::vector<std::uint32_t>& new_label, AreaLabels& labels) {
+  std::vector<AreaTag> kept;
+  for (std::size_t old = 0; old < new_label.size(); ++old) {
+    if (new_label[old] != kNone) kept.push_back(std::move(labels.tags[old]));
+  }
+  labels.tags = std::move(kept);
+  for (std::uint32_t& label : labels.of_pixel) {
+    if (label != kNone) label = new_label[label];
+  }
+}
 
 AreaLabels growAreas(const OccupancyMap& map, const Relief& relief, Division division,
                      const std::vector<Tag>& tags, const AreaParams& params) {

@@ -23,6 +23,14 @@ struct AreaLabels {
   std::vector<std::string> warnings;
 };
 
+/// Leaves out the areas without a free pixel on `map` and, beyond what a label can count, the
+/// smallest.
+/// @return for each former label the new one or AreaLabels::kNone; nothing if all stay
+std::vector<std::uint32_t> dropAreas(const OccupancyMap& map, AreaLabels& labels);
+
+/// Leaves out the areas whose new label is AreaLabels::kNone, see dropAreas.
+void relabel(const std::vector<std::uint32_t>& new_label, AreaLabels& labels);
+
 /// Grows an area from each usable area tag (paper, 3.2), with the doors of `relief` closed, then
 /// opens the doors again: each pixel of a barrier goes to the area beside it.
 /// @param division  of `relief`

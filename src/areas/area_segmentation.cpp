@@ -11,6 +11,7 @@
 #include "areas/category_guess.h"
 #include "areas/cell_labels.h"
 #include "areas/door_extraction.h"
+#include "tags/aligned_view.h"
 #include "tags/area_seeds.h"
 #include "tags/division.h"
 #include "tags/relief.h"
@@ -40,15 +41,29 @@ std::string whyThereAreNoAreas(const OccupancyMap& map, const Relief& relief) {
   return "there are no areas: no area tag lies in free space";
 }
 
-AreaMap describe(const OccupancyMap& map, const AGrid& grid, const Relief& relief,
-                 const AreaLabels& labels, const AreaParams& params) {
+/// The areas on the map instead of its view; those that have no free pixel there are left out of
+/// `on_view` as well.
+AreaLabels bringToMap(const OccupancyMap& map, const AlignedView& view, AreaLabels& on_view) {
+  AreaLabels on_map;
+  on_map.tags = on_view.tags;
+  on_map.of_pixel = view.labelsOnMap(on_view.of_pixel);
+  const auto new_label = dropAreas(map, on_map);
+  if (!new_label.empty()) relabel(new_label, on_view);
+  on_map.warnings = on_view.warnings;
+  return on_map;
+}
+
+AreaMap describe(const OccupancyMap& map, const AGrid& grid, const AlignedView& view,
+                 const Relief& relief, AreaLabels on_view, const AreaParams& params) {
+  const AreaLabels on_map = view.isMapItself() ? AreaLabels{} : bringToMap(map, view, on_view);
+  const AreaLabels& labels = view.isMapItself() ? on_view : on_map;
   AreaMap result;
   result.warnings = relief.warnings;
   result.warnings.insert(result.warnings.end(), labels.warnings.begin(), labels.warnings.end());
   result.areas = describeAreas(map, labels);
   if (result.areas.empty()) result.warnings.push_back(whyThereAreNoAreas(map, relief));
-  result.doors = findDoors(labels, relief, map.geometry(), params, result.warnings);
-  guessCategories(labels, relief, map.geometry().resolution, result.doors, result.areas);
+  result.doors = findDoors(on_view, relief, view.geometry(), params, result.warnings);
+  guessCategories(on_view, relief, view.geometry().resolution, result.doors, result.areas);
   for (Door& door : result.doors) door.cells = cellsOnSegment(grid, door.jambs_map);
   result.pixel_labels = labelsOnFreePixels(map, labels);
   result.cell_areas = labelCells(grid, map.geometry(), result.pixel_labels, result.areas);
@@ -60,10 +75,12 @@ AreaMap describe(const OccupancyMap& map, const AGrid& grid, const Relief& relie
 AreaMap segmentAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& tags,
                      const AreaParams& params) {
   validate(params);
-  const Relief relief = makeRelief(map, tags, params);
-  Division division = divide(relief, map.geometry().resolution, params);
-  const AreaLabels labels = growAreas(map, relief, std::move(division), tags, params);
-  return describe(map, grid, relief, labels, params);
+  const AlignedView view(map, params, grid.mapFromGrid().yaw);
+  const std::vector<Tag> on_view = view.tagsOnView(tags);
+  const Relief relief = makeRelief(view.map(), on_view, params);
+  Division division = divide(relief, view.geometry().resolution, params);
+  AreaLabels labels = growAreas(view.map(), relief, std::move(division), on_view, params);
+  return describe(map, grid, view, relief, std::move(labels), params);
 }
 
 TaggedAreas findAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& given,
@@ -76,11 +93,16 @@ TaggedAreas findAreas(const OccupancyMap& map, const AGrid& grid, const std::vec
     return result;
   }
   validate(params);
-  const Relief relief = makeRelief(map, given, params);
-  Division division = divide(relief, map.geometry().resolution, params);
-  addNumbered(proposeSeeds(relief, division, map.geometry(), given, params), given, result.tags);
-  const AreaLabels labels = growAreas(map, relief, std::move(division), result.tags, params);
-  result.area_map = describe(map, grid, relief, labels, params);
+  const AlignedView view(map, params, grid.mapFromGrid().yaw);
+  std::vector<Tag> on_view = view.tagsOnView(given);
+  const Relief relief = makeRelief(view.map(), on_view, params);
+  Division division = divide(relief, view.geometry().resolution, params);
+  const auto seeds = proposeSeeds(relief, division, view.geometry(), on_view, params);
+  addNumbered(seeds, given, result.tags);
+  on_view.insert(on_view.end(), result.tags.begin() + static_cast<std::ptrdiff_t>(given.size()),
+                 result.tags.end());
+  AreaLabels labels = growAreas(view.map(), relief, std::move(division), on_view, params);
+  result.area_map = describe(map, grid, view, relief, std::move(labels), params);
   return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "tags/aligned_view.h"
 #include "tags/area_seeds.h"
 #include "tags/division.h"
 #include "tags/narrow_passages.h"
@@ -63,7 +64,7 @@ std::vector<DoorTag> proposeDoors(const OccupancyMap& map, const std::vector<Tag
 }  // namespace
 
 std::vector<Tag> proposeTags(const OccupancyMap& map, const std::vector<Tag>& given,
-                             const AreaParams& params) {
+                             const AreaParams& params, std::optional<double> walls_yaw) {
   validate(params);
   std::vector<Tag> proposed;
   if (params.method == AreaMethod::kPaper) {
@@ -71,9 +72,11 @@ std::vector<Tag> proposeTags(const OccupancyMap& map, const std::vector<Tag>& gi
   }
   std::vector<Tag> known = given;
   known.insert(known.end(), proposed.begin(), proposed.end());
-  const Relief relief = makeRelief(map, known, params);
-  const Division division = divide(relief, map.geometry().resolution, params);
-  addNumbered(proposeSeeds(relief, division, map.geometry(), known, params), given, proposed);
+  const AlignedView view(map, params, walls_yaw.value_or(map.geometry().map_from_image.yaw));
+  known = view.tagsOnView(known);
+  const Relief relief = makeRelief(view.map(), known, params);
+  const Division division = divide(relief, view.geometry().resolution, params);
+  addNumbered(proposeSeeds(relief, division, view.geometry(), known, params), given, proposed);
   return proposed;
 }
 
