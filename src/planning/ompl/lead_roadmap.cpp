@@ -174,12 +174,12 @@ void LeadRoadmap::addLeadItself() {
   }
 }
 
-void LeadRoadmap::grow() {
+void LeadRoadmap::grow(const ob::PlannerTerminationCondition& stop) {
   const double wanted = kPosesPerScale * lead_.length() / samples_.scale();
   const auto size =
       static_cast<std::size_t>(std::clamp(wanted, double{kFewestPoses}, double{kMostPoses}));
   if (rounds_ == 0) addLeadItself();
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < size && !stop; ++i) {
     const double share = samples_.random().uniform01();
     if (rounds_ > 0 && share < 0.1) {
       addUniform();
@@ -217,7 +217,7 @@ std::vector<const ob::State*> LeadRoadmap::solve(const ob::PlannerTerminationCon
                                                  int rounds) {
   std::vector<const ob::State*> path;
   for (int i = 0; i < rounds && path.empty() && !stop; ++i) {
-    grow();
+    grow(stop);
     Search search(*this);
     for (const std::uint32_t node : search.run(stop)) path.push_back(nodes_[node].state);
     stuck_ = lead_.length() - std::min(search.least(), lead_.length());

@@ -59,7 +59,7 @@ class LeadRoadmap {
   void addNode(ompl::base::State* owned, double along);
   void addUniform();
   void addLeadItself();
-  void grow();
+  void grow(const ompl::base::PlannerTerminationCondition& stop);
   void link(std::size_t node);
 
   ompl::base::SpaceInformationPtr space_;

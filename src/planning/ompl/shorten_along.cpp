@@ -24,7 +24,7 @@ class Shortening {
   /// Goes from each state straight to the last one ahead that it can reach.
   void leaveOut(const ob::PlannerTerminationCondition& stop) {
     for (std::size_t i = 0; i + 2 < path_.size() && !stop; ++i) {
-      for (std::size_t j = std::min(path_.size() - 1, i + kAhead); j > i + 1; --j) {
+      for (std::size_t j = std::min(path_.size() - 1, i + kAhead); j > i + 1 && !stop; --j) {
         if (!replaces(path_[i], path_[j], lengthBetween(i, j) + kHair)) continue;
         erase(i + 1, j);
         break;
