@@ -104,13 +104,18 @@ std::vector<Portal> RunBuilder::portals() {
   for (const Pair& pair : pairs_) ++pair_count[number[pair.run]];
   std::vector<Portal> portals;
   std::vector<std::uint32_t> seen;
+  std::vector<std::uint32_t> first_low;
   for (const Pair& pair : pairs_) {
     const std::uint32_t i = number[pair.run];
     if (i >= portals.size()) {
       portals.resize(i + 1);
       seen.resize(i + 1);
+      first_low.resize(i + 1, pair.a);
+      const PixelBox& border = borders_[sets_.find(pair.run)];
+      portals[i].straight = border.low.x == border.high.x || border.low.y == border.high.y;
     }
     Portal& portal = portals[i];
+    portal.straight = portal.straight && pair.a == first_low[i];
     portal.box.add(pair.low);
     portal.box.add(pair.high);
     if (seen[i]++ != pair_count[i] / 2) continue;
@@ -128,6 +133,21 @@ double gap(double low_a, double high_a, double low_b, double high_b) {
 }
 
 }  // namespace
+
+bool Portal::canLeadTo(FinePoint p, std::uint32_t node) const {
+  if (!straight) return true;
+  const bool upright = border.low.x == border.high.x;
+  const std::int64_t across = upright ? p.x - crossing().x : p.y - crossing().y;
+  return sideOf(node) == 0 ? across <= 0 : across >= 0;
+}
+
+bool Portal::canLeadToBorder(const Portal& other, std::uint32_t node) const {
+  const auto corner = [](int x, int y) {
+    return FinePoint{x * kFine - kFine / 2, y * kFine - kFine / 2};
+  };
+  const PixelBox& b = other.border;
+  return canLeadTo(corner(b.low.x, b.low.y), node) || canLeadTo(corner(b.high.x, b.high.y), node);
+}
 
 double Portal::distanceToBorder(FinePoint p) const {
   const Point2 from = coordinates(p) + Point2(0.5, 0.5);

@@ -41,10 +41,16 @@ struct Portal {
     return {(std::int64_t{middle.x} + beyond.x) * (kFine / 2),
             (std::int64_t{middle.y} + beyond.y) * (kFine / 2)};
   }
+  /// Whether a straight line from the border into one of the nodes can lead to a point ...
+  bool canLeadTo(FinePoint p, std::uint32_t node) const;
+  /// ... or to anywhere on another border.
+  bool canLeadToBorder(const Portal& other, std::uint32_t node) const;
   /// Distance of a point to the border's box [px].
   double distanceToBorder(FinePoint p) const;
   /// Between two borders' boxes [px].
   double distanceToBorder(const Portal& other) const;
+  bool straight = false;  ///< the border is a straight line, nodes[0] all on its lower side
+
   std::size_t sideOf(std::uint32_t node) const { return nodes[0] == node ? 0 : 1; }
 
   std::uint32_t other(std::uint32_t node) const { return nodes[nodes[0] == node ? 1 : 0]; }

@@ -31,13 +31,13 @@ bool leadToTheSame(const Portal& a, const Portal& b) {
 
 }  // namespace
 
-RegionRoads::RegionRoads(const FreeSpace& free, std::vector<TurningPoint> points,
+RegionRoads::RegionRoads(const FreeSpace& free, std::uint32_t region,
+                         std::vector<TurningPoint> points,
                          const std::vector<const Portal*>& portals)
-    : points_(std::move(points)) {
+    : region_(region), points_(std::move(points)) {
   for (const Portal* portal : portals) crossings_.push_back(portal->crossing());
   findEdges(free);
-  std::vector<View> views;
-  for (std::size_t i = 0; i < portals.size(); ++i) views.push_back(viewOf(free, portals, i));
+  const std::vector<View> views = findViews(free, portals);
   path_.reserve(portals.size() * nodeCount());
   least_.reserve(portals.size() * nodeCount());
   next_.reserve(portals.size() * nodeCount());
@@ -67,35 +67,56 @@ void RegionRoads::findEdges(const FreeSpace& free) {
   }
 }
 
+std::vector<RegionRoads::View> RegionRoads::findViews(
+    const FreeSpace& free, const std::vector<const Portal*>& portals) const {
+  std::vector<View> views(portals.size());
+  for (std::size_t i = 0; i < portals.size(); ++i) {
+    lookAtPoints(free, *portals[i], views[i]);
+    for (std::size_t j = i + 1; j < portals.size(); ++j) {
+      // Straight there and back is a sight of the other region, too, wherever it passes.
+      if (!leadToTheSame(*portals[i], *portals[j])) lookAtPortal(free, portals, {i, j}, views);
+    }
+  }
+  return views;
+}
+
 /// Where the free space is narrowed by less, what is seen from any place of a border is seen from
 /// its middle: that place's sight, moved by up to the portal's reach.
-RegionRoads::View RegionRoads::viewOf(const FreeSpace& free,
-                                      const std::vector<const Portal*>& portals,
-                                      std::size_t rank) const {
-  const Portal& portal = *portals[rank];
-  View view;
-  for (std::size_t i = 0; i < nodeCount(); ++i) {
-    if (i == points_.size() + rank) continue;
+void RegionRoads::lookAtPoints(const FreeSpace& free, const Portal& portal, View& view) const {
+  const FreeSpace wider = free.narrowedLess(portal.reach + kTwoHalfDiagonals);
+  const FinePoint from = portal.crossing();
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const TurningPoint& point = points_[i];
+    if (!portal.canLeadTo(point.at, region_) || !canBendTowards(point, portal)) continue;
     const auto node = static_cast<Node>(i);
-    const Portal* other = isTurningPoint(node) ? nullptr : portals[i - points_.size()];
-    if (other == nullptr && !canBendTowards(points_[i], portal)) continue;
-    // Straight there and back is a sight of the other region, too, wherever it passes.
-    if (other != nullptr && leadToTheSame(portal, *other)) continue;
-    const FinePoint there = at(node);
-    const FinePoint end = other == nullptr ? points_[i].corner() : there;
-    const bool seen = free.canSee(crossings_[rank], there);
-    if (seen && (other != nullptr || points_[i].isTangentTo(crossings_[rank]))) {
-      view.nodes.push_back({node, static_cast<float>(distancePx(crossings_[rank], end))});
+    const bool seen = free.canSee(from, point.at);
+    if (seen && point.isTangentTo(from)) {
+      view.nodes.push_back({node, static_cast<float>(distancePx(from, point.corner()))});
     }
-    const double reach = other == nullptr ? portal.reach : std::max(portal.reach, other->reach);
-    if (!seen && !free.narrowedLess(reach + kTwoHalfDiagonals).canSee(crossings_[rank], there)) {
-      continue;
+    if (seen || wider.canSee(from, point.at)) {
+      view.nearly.push_back({node, static_cast<float>(portal.distanceToBorder(point.corner()))});
     }
-    const double least =
-        other == nullptr ? portal.distanceToBorder(end) : portal.distanceToBorder(*other);
-    view.nearly.push_back({node, static_cast<float>(least)});
   }
-  return view;
+}
+
+void RegionRoads::lookAtPortal(const FreeSpace& free, const std::vector<const Portal*>& portals,
+                               std::array<std::size_t, 2> ranks, std::vector<View>& views) const {
+  const Portal& a = *portals[ranks[0]];
+  const Portal& b = *portals[ranks[1]];
+  const FinePoint from = a.crossing();
+  const FinePoint to = b.crossing();
+  // Anywhere on the other border, hence the border's ends.
+  if (!a.canLeadToBorder(b, region_) || !b.canLeadToBorder(a, region_)) return;
+  const bool seen = free.canSee(from, to);
+  const double reach = std::max(a.reach, b.reach);
+  if (!seen && !free.narrowedLess(reach + kTwoHalfDiagonals).canSee(from, to)) return;
+  const auto length = static_cast<float>(distancePx(from, to));
+  const auto least = static_cast<float>(a.distanceToBorder(b));
+  for (const std::size_t i : {0U, 1U}) {
+    const Node node = nodeOfPortal(ranks[1 - i]);
+    if (seen) views[ranks[i]].nodes.push_back({node, length});
+    views[ranks[i]].nearly.push_back({node, least});
+  }
 }
 
 void RegionRoads::findPaths(const std::vector<View>& views, std::size_t rank) {

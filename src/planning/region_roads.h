@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -35,9 +36,10 @@ class RegionRoads {
   };
 
   RegionRoads() = default;
+  /// @param region  its node in the portals' graph
   /// @param points  all turning points within reach of the region's paths
   /// @param portals  of the region; fewer than 65536 nodes in all
-  RegionRoads(const FreeSpace& free, std::vector<TurningPoint> points,
+  RegionRoads(const FreeSpace& free, std::uint32_t region, std::vector<TurningPoint> points,
               const std::vector<const Portal*>& portals);
 
   const std::vector<TurningPoint>& points() const { return points_; }
@@ -67,13 +69,17 @@ class RegionRoads {
   };
   std::size_t nodeCount() const { return points_.size() + crossings_.size(); }
   void findEdges(const FreeSpace& free);
-  View viewOf(const FreeSpace& free, const std::vector<const Portal*>& portals,
-              std::size_t rank) const;
+  std::vector<View> findViews(const FreeSpace& free,
+                              const std::vector<const Portal*>& portals) const;
+  void lookAtPoints(const FreeSpace& free, const Portal& portal, View& view) const;
+  void lookAtPortal(const FreeSpace& free, const std::vector<const Portal*>& portals,
+                    std::array<std::size_t, 2> ranks, std::vector<View>& views) const;
   void findPaths(const std::vector<View>& views, std::size_t rank);
   void findLeast(const std::vector<const Portal*>& portals, const std::vector<View>& views,
                  std::size_t rank);
   void spread(std::vector<float>& reached, std::vector<Node>& next) const;
 
+  std::uint32_t region_ = kNoNode;
   std::vector<TurningPoint> points_;
   std::vector<FinePoint> crossings_;
   std::vector<std::uint32_t> edges_from_;

@@ -102,7 +102,7 @@ void Roadmap::buildRoads(const FreeSpace& free, const std::vector<TurningPoint>&
     for (const std::uint32_t portal : regions_.portalsOf(static_cast<std::uint32_t>(i))) {
       portals.push_back(&regions_.portals()[portal]);
     }
-    roads_[i] = RegionRoads(free, std::move(points_of[i]), portals);
+    roads_[i] = RegionRoads(free, static_cast<std::uint32_t>(i), std::move(points_of[i]), portals);
   });
 }
 
