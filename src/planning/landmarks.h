@@ -15,7 +15,7 @@ namespace agrid::planning {
 /// Harrelson 2005). Each component has landmarks of its own, portals far from each other.
 class Landmarks {
  public:
-  static constexpr std::size_t kCount = 8;
+  static constexpr std::size_t kCount = 16;
   using Lengths = std::array<float, kCount>;
 
   /// @throws Stopped

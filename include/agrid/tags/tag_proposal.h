@@ -69,13 +69,13 @@ void validate(const AreaParams& params);
 /// the map that `given` says nothing about. The seeds lie at the point of their area farthest from
 /// its walls (kPersistence) or at its centroid (kPaper); doors are proposed by kPaper only.
 /// @param given  area seeds: their areas get no other; doors: closed like walls
-/// @param walls_yaw  direction of the walls, as the grid is laid, map frame [rad]; kBorders looks at
+/// @param walls_yaw  direction of the walls, as the grid is laid, map frame [rad]; kBorders looks
+/// at
 ///                   the map along them. None: along the axes of its image.
 /// @return automatic tags without names, ordered from the top of the map to its bottom; their ids
 ///         are the lowest ones from 1 that `given` does not use
 /// @throws std::invalid_argument if a parameter is out of range
 std::vector<Tag> proposeTags(const OccupancyMap& map, const std::vector<Tag>& given,
-                             const AreaParams& params = {},
-                             std::optional<double> walls_yaw = {});
+                             const AreaParams& params = {}, std::optional<double> walls_yaw = {});
 
 }  // namespace agrid
