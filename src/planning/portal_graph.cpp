@@ -14,7 +14,6 @@ struct Pair {
   Pixel high;
   std::uint32_t a;
   std::uint32_t b;
-  std::uint32_t run;
 };
 
 /// The border between a pair's pixels, or those of a run, as a box on the pixels' corners: corner
@@ -33,11 +32,41 @@ PixelBox merged(PixelBox a, const PixelBox& b) {
   return a;
 }
 
-/// Joins pairs of the same two nodes that lie next to each other into runs, row by row.
+int sideOf(const PixelBox& box) { return std::max(box.high.x - box.low.x, box.high.y - box.low.y); }
+
+bool touch(const PixelBox& a, const PixelBox& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+/// Sets of pairs, with the box around each set's borders.
+class Runs {
+ public:
+  explicit Runs(const std::vector<Pair>& pairs) : sets_(pairs.size()) {
+    for (const Pair& pair : pairs) borders_.push_back(borderOf(pair));
+  }
+  /// Joins the runs of two pairs unless the joint run would be longer or wider.
+  void join(std::uint32_t a, std::uint32_t b, int longest) {
+    a = sets_.find(a);
+    b = sets_.find(b);
+    if (a == b) return;
+    const PixelBox box = merged(borders_[a], borders_[b]);
+    if (sideOf(box) > longest) return;
+    sets_.unite(a, b);
+    borders_[a] = box;
+  }
+  const PixelBox& borderOfRun(std::uint32_t pair) { return borders_[sets_.find(pair)]; }
+  std::vector<std::uint32_t> numbers() { return sets_.numbers(); }
+
+ private:
+  DisjointSets sets_;
+  std::vector<PixelBox> borders_;  ///< of the sets, by their names
+};
+
+/// Collects pairs, and which of the same two nodes lie next to each other, row by row.
 class RunBuilder {
  public:
-  RunBuilder(std::size_t width, int longest)
-      : longest_(longest), rows_{std::vector<Slot>(width + 2), std::vector<Slot>(width + 2)} {}
+  explicit RunBuilder(std::size_t width)
+      : rows_{std::vector<Slot>(width + 2), std::vector<Slot>(width + 2)} {}
 
   void nextRow() {
     std::swap(rows_[0], rows_[1]);
@@ -45,19 +74,18 @@ class RunBuilder {
   }
   /// @param upwards  whether b lies above a, else beside it
   void add(Pixel p, bool upwards, std::uint32_t a, std::uint32_t b) {
-    Pair added{p, upwards ? Pixel{p.x, p.y + 1} : Pixel{p.x + 1, p.y}, a, b, sets_.add()};
-    borders_.push_back(borderOf(added));
+    const auto added = static_cast<std::uint32_t>(pairs_.size());
     const auto x = static_cast<std::size_t>(p.x) + 1;
     for (const Slot* slot :
          {&rows_[0][x - 1], &rows_[0][x], &rows_[0][x + 1], &rows_[1][x - 1], &rows_[1][x]}) {
       for (const std::uint32_t pair : slot->pairs) {
-        if (pair != kNoNode && sameNodes(pairs_[pair], a, b)) join(pairs_[pair].run, added.run);
+        if (pair != kNoNode && sameNodes(pairs_[pair], a, b)) links_.push_back({pair, added});
       }
     }
-    rows_[1][x].pairs[upwards ? 1 : 0] = static_cast<std::uint32_t>(pairs_.size());
-    pairs_.push_back(added);
+    rows_[1][x].pairs[upwards ? 1 : 0] = added;
+    pairs_.push_back({p, upwards ? Pixel{p.x, p.y + 1} : Pixel{p.x + 1, p.y}, a, b});
   }
-  std::vector<Portal> portals();
+  std::vector<Portal> portals(PortalCut cut) const;
 
  private:
   struct Slot {
@@ -66,22 +94,35 @@ class RunBuilder {
   static bool sameNodes(const Pair& pair, std::uint32_t a, std::uint32_t b) {
     return (pair.a == a && pair.b == b) || (pair.a == b && pair.b == a);
   }
-  void join(std::uint32_t run, std::uint32_t other) {
-    run = sets_.find(run);
-    other = sets_.find(other);
-    if (run == other) return;
-    const PixelBox box = merged(borders_[run], borders_[other]);
-    if (box.high.x - box.low.x > longest_ || box.high.y - box.low.y > longest_) return;
-    sets_.unite(run, other);
-    borders_[run] = box;
-  }
+  Runs wholeRuns() const;
+  Runs parts() const;
 
-  int longest_;
   std::array<std::vector<Slot>, 2> rows_;
   std::vector<Pair> pairs_;
-  DisjointSets sets_;
-  std::vector<PixelBox> borders_;  ///< of the sets, by their names
+  std::vector<std::array<std::uint32_t, 2>> links_;
 };
+
+Runs RunBuilder::wholeRuns() const {
+  Runs runs(pairs_);
+  for (const auto& link : links_) runs.join(link[0], link[1], 0x7fffffff);
+  return runs;
+}
+
+/// Short enough for the least lengths over a portal's border to be near the true ones, and few
+/// enough for what is stored between them.
+Runs RunBuilder::parts() const {
+  constexpr int kShortest = 3;
+  constexpr int kLongest = 12;
+  constexpr int kParts = 8;
+  Runs whole = wholeRuns();
+  Runs parts(pairs_);
+  for (const auto& link : links_) {
+    if (!touch(borderOf(pairs_[link[0]]), borderOf(pairs_[link[1]]))) continue;
+    const int side = sideOf(whole.borderOfRun(link[0]));
+    parts.join(link[0], link[1], std::clamp((side + kParts - 1) / kParts, kShortest, kLongest));
+  }
+  return parts;
+}
 
 /// How far along a run's border its farthest end lies from `portal.crossing()`. A run that rises or
 /// falls all along is as long as its box is wide and high; of any other only its length is known.
@@ -98,21 +139,24 @@ double reachOf(const Portal& portal, std::uint32_t pair_count) {
   return std::min(reach, pair_count - 0.5);
 }
 
-std::vector<Portal> RunBuilder::portals() {
-  const std::vector<std::uint32_t> number = sets_.numbers();
+std::vector<Portal> RunBuilder::portals(PortalCut cut) const {
+  Runs runs = cut == PortalCut::kWholeRuns ? wholeRuns() : parts();
+  const std::vector<std::uint32_t> number = runs.numbers();
   std::vector<std::uint32_t> pair_count(number.size());
-  for (const Pair& pair : pairs_) ++pair_count[number[pair.run]];
+  for (const std::uint32_t run : number) ++pair_count[run];
   std::vector<Portal> portals;
   std::vector<std::uint32_t> seen;
   std::vector<std::uint32_t> first_low;
-  for (const Pair& pair : pairs_) {
-    const std::uint32_t i = number[pair.run];
+  for (std::uint32_t k = 0; k < pairs_.size(); ++k) {
+    const Pair& pair = pairs_[k];
+    const std::uint32_t i = number[k];
     if (i >= portals.size()) {
       portals.resize(i + 1);
       seen.resize(i + 1);
       first_low.resize(i + 1, pair.a);
-      const PixelBox& border = borders_[sets_.find(pair.run)];
-      portals[i].straight = border.low.x == border.high.x || border.low.y == border.high.y;
+      portals[i].border = runs.borderOfRun(k);
+      portals[i].straight = portals[i].border.low.x == portals[i].border.high.x ||
+                            portals[i].border.low.y == portals[i].border.high.y;
     }
     Portal& portal = portals[i];
     portal.straight = portal.straight && pair.a == first_low[i];
@@ -122,7 +166,6 @@ std::vector<Portal> RunBuilder::portals() {
     portal.middle = pair.low;
     portal.beyond = pair.high;
     portal.nodes = {pair.a, pair.b};
-    portal.border = borders_[sets_.find(pair.run)];
     portal.reach = reachOf(portal, pair_count[i]);
   }
   return portals;
@@ -166,10 +209,10 @@ void PixelBox::add(Pixel p) {
 }
 
 PortalGraph::PortalGraph(const FreeSpace& free, const ClassesOfRow& classes_of_row,
-                         const StopCheck& stop, int longest_portal)
+                         const StopCheck& stop, PortalCut cut)
     : node_at_(free.geometry().pixelCount(), kNoNode) {
   labelNodes(free, classes_of_row, stop);
-  findPortals(free.geometry(), stop, longest_portal);
+  findPortals(free.geometry(), stop, cut);
   joinComponents();
   listPortals();
 }
@@ -221,10 +264,9 @@ void PortalGraph::numberNodes(const MapGeometry& geometry, DisjointSets& sets,
   }
 }
 
-void PortalGraph::findPortals(const MapGeometry& geometry, const StopCheck& stop,
-                              int longest_portal) {
+void PortalGraph::findPortals(const MapGeometry& geometry, const StopCheck& stop, PortalCut cut) {
   const auto width = static_cast<std::size_t>(geometry.width);
-  RunBuilder runs(width, longest_portal);
+  RunBuilder runs(width);
   for (int y = 1; y + 1 < geometry.height; ++y) {
     if (y % 64 == 0) stop.check();
     runs.nextRow();
@@ -238,7 +280,7 @@ void PortalGraph::findPortals(const MapGeometry& geometry, const StopCheck& stop
       if (above != kNoNode && above != node) runs.add({x, y}, true, node, above);
     }
   }
-  portals_ = runs.portals();
+  portals_ = runs.portals(cut);
 }
 
 void PortalGraph::joinComponents() {

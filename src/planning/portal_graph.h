@@ -13,7 +13,9 @@
 namespace agrid::planning {
 
 constexpr std::uint32_t kNoNode = 0xffffffff;
-constexpr int kWholeRuns = 0x7fffffff;
+/// Whether portals are maximal runs, or parts of them: eight of a run, if each is then 3 to 12
+/// pixels long and wide.
+enum class PortalCut { kWholeRuns, kParts };
 
 /// A rectangle of pixels, both corners inside.
 struct PixelBox {
@@ -65,9 +67,8 @@ using ClassesOfRow = std::function<void(int, std::vector<std::uint32_t>&)>;
 /// and any size of cells: classes index free space, they never decide what is free.
 class PortalGraph {
  public:
-  /// @param longest_portal  runs are cut into parts at most so long and so wide [px]
   PortalGraph(const FreeSpace& free, const ClassesOfRow& classes_of_row, const StopCheck& stop = {},
-              int longest_portal = kWholeRuns);
+              PortalCut cut = PortalCut::kWholeRuns);
 
   /// The node of a pixel that the map contains; kNoNode if it is not free.
   std::uint32_t nodeAt(std::size_t pixel_index) const { return node_at_[pixel_index]; }
@@ -94,7 +95,7 @@ class PortalGraph {
   void labelNodes(const FreeSpace& free, const ClassesOfRow& classes_of_row, const StopCheck& stop);
   void numberNodes(const MapGeometry& geometry, DisjointSets& sets,
                    const std::vector<std::uint32_t>& class_of_set);
-  void findPortals(const MapGeometry& geometry, const StopCheck& stop, int longest_portal);
+  void findPortals(const MapGeometry& geometry, const StopCheck& stop, PortalCut cut);
   void joinComponents();
   void listPortals();
 

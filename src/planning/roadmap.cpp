@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <cstdlib>
 #include <future>
 #include <thread>
 #include <utility>
@@ -12,37 +14,46 @@
 namespace agrid::planning {
 namespace {
 
-/// Portals are cut to this length [px]: the shorter, the nearer are the least lengths to the true
-/// ones, and the more there is to store.
-constexpr int kPortalLength = 3;
-
 PortalGraph regionsOf(const FreeSpace& free, const std::vector<std::uint16_t>& pixel_labels,
                       const std::vector<TurningPoint>& points, const StopCheck& stop) {
   const RegionClasses classes(free.geometry(), pixel_labels, points);
   return PortalGraph(
       free, [&](int y, std::vector<std::uint32_t>& row) { classes.classesOfRow(y, row); }, stop,
-      kPortalLength);
+      PortalCut::kParts);
+}
+
+/// Of each region, how far its portals reach [px].
+std::vector<int> reachesOf(const PortalGraph& regions) {
+  std::vector<int> reaches(regions.nodeCount());
+  for (const Portal& portal : regions.portals()) {
+    for (const std::uint32_t region : portal.nodes) {
+      reaches[region] = std::max(reaches[region], static_cast<int>(std::ceil(portal.reach)) + 1);
+    }
+  }
+  return reaches;
 }
 
 /// The turning points of each region's paths: a path that starts anywhere on a portal's border,
-/// instead of at its middle, bends at corners at most a portal's reach beyond the region.
+/// instead of at its middle, bends at corners at most the portal's reach beyond the region.
 std::vector<std::vector<TurningPoint>> pointsOfRegions(const FreeSpace& free,
                                                        const PortalGraph& regions,
                                                        const std::vector<TurningPoint>& points) {
   const MapGeometry& geometry = free.geometry();
+  const std::vector<int> reaches = reachesOf(regions);
+  const int window = reaches.empty() ? 0 : *std::max_element(reaches.begin(), reaches.end());
   std::vector<std::vector<TurningPoint>> points_of(regions.nodeCount());
   std::vector<std::uint32_t> near;
   for (const TurningPoint& point : points) {
     near.clear();
     const Pixel p = point.at.pixel();
-    const Pixel low{std::max(p.x - kPortalLength, 0), std::max(p.y - kPortalLength, 0)};
-    const Pixel high{std::min(p.x + kPortalLength, geometry.width - 1),
-                     std::min(p.y + kPortalLength, geometry.height - 1)};
-    for (int y = low.y; y <= high.y; ++y) {
-      for (int x = low.x; x <= high.x; ++x) {
+    for (int y = std::max(p.y - window, 0); y <= std::min(p.y + window, geometry.height - 1); ++y) {
+      for (int x = std::max(p.x - window, 0); x <= std::min(p.x + window, geometry.width - 1);
+           ++x) {
         const std::uint32_t region = regions.nodeAt(geometry.index({x, y}));
-        if (region == kNoNode || std::find(near.begin(), near.end(), region) != near.end())
+        if (region == kNoNode || std::max(std::abs(x - p.x), std::abs(y - p.y)) > reaches[region] ||
+            std::find(near.begin(), near.end(), region) != near.end()) {
           continue;
+        }
         near.push_back(region);
         points_of[region].push_back(point);
       }

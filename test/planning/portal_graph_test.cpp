@@ -48,7 +48,7 @@ Sample randomSample(std::mt19937& random) {
           row[x] = cellOf(cells, {static_cast<int>(x), y});
         }
       },
-      StopCheck{}, side(random) % 2 == 0 ? kWholeRuns : side(random) / 3 + 1);
+      StopCheck{}, side(random) % 2 == 0 ? PortalCut::kWholeRuns : PortalCut::kParts);
   return sample;
 }
 
