@@ -87,7 +87,7 @@ void RegionRoads::lookAtPoints(const FreeSpace& free, const Portal& portal, View
   const FinePoint from = portal.crossing();
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const TurningPoint& point = points_[i];
-    if (!portal.canLeadTo(point.at, region_) || !canBendTowards(point, portal)) continue;
+    if (!portal.canLeadTo(point.corner(), region_) || !canBendTowards(point, portal)) continue;
     const auto node = static_cast<Node>(i);
     const bool seen = free.canSee(from, point.at);
     if (seen && point.isTangentTo(from)) {

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "planning/plan_oracle.h"
@@ -16,7 +18,10 @@ namespace agrid::test {
 /// other past the open squares of it. Points are in half pixels, pixel centres odd, corners even.
 class BestLength {
  public:
-  BestLength(const SlowFreeSpace& free, const MapGeometry& geometry) : free_(free) {
+  BestLength(const SlowFreeSpace& free, const MapGeometry& geometry)
+      : BestLength([&free](Pixel p) { return free.isFree(p); }, geometry) {}
+  BestLength(std::function<bool(Pixel)> is_free, const MapGeometry& geometry)
+      : is_free_(std::move(is_free)) {
     for (int y = 2; y < 2 * geometry.height; y += 2) {
       for (int x = 2; x < 2 * geometry.width; x += 2) {
         if (freeAround({x, y}) == 3) corners_.push_back({x, y});
@@ -26,11 +31,18 @@ class BestLength {
 
   /// To the nearest centre of some free pixels, in pixels; infinite if there is no way.
   double toNearest(Pixel start, const std::vector<Pixel>& goals) const {
+    std::vector<Pixel> centers;
+    for (const Pixel goal : goals) centers.push_back(centerOf(goal));
+    return toNearestPoint(centerOf(start), centers);
+  }
+
+  /// As toNearest, between points in half pixels.
+  double toNearestPoint(Pixel start, const std::vector<Pixel>& goals) const {
     std::vector<Pixel> places = corners_;
-    for (const Pixel goal : goals) places.push_back(centerOf(goal));
+    places.insert(places.end(), goals.begin(), goals.end());
     std::vector<double> lengths(places.size(), std::numeric_limits<double>::infinity());
     std::vector<bool> done(places.size(), false);
-    Pixel here = centerOf(start);
+    Pixel here = start;
     double length = 0;
     for (;;) {
       std::size_t next = places.size();
@@ -60,7 +72,7 @@ class BestLength {
   int freeAround(Pixel corner) const {
     const auto pixels = around(corner);
     return static_cast<int>(
-        std::count_if(pixels.begin(), pixels.end(), [&](Pixel p) { return free_.isFree(p); }));
+        std::count_if(pixels.begin(), pixels.end(), [&](Pixel p) { return is_free_(p); }));
   }
 
   /// The free pixels that a point between two crossings of grid lines lies in: of one, or of two
@@ -74,7 +86,7 @@ class BestLength {
         if ((dx == 1 && !on_x) || (dy == 1 && !on_y)) continue;
         const Pixel p{static_cast<int>(on_x ? std::round(x / 2) - dx : std::floor(x / 2)),
                       static_cast<int>(on_y ? std::round(y / 2) - dy : std::floor(y / 2))};
-        if (free_.isFree(p)) pixels.push_back(p);
+        if (is_free_(p)) pixels.push_back(p);
       }
     }
     return pixels;
@@ -122,7 +134,7 @@ class BestLength {
     return true;
   }
 
-  const SlowFreeSpace& free_;
+  std::function<bool(Pixel)> is_free_;
   std::vector<Pixel> corners_;
 };
 

@@ -11,6 +11,7 @@
 #include "planning/cell_lookup.h"
 #include "planning/obstacles.h"
 #include "planning/plan_oracle.h"
+#include "planning/sample_roads.h"
 
 namespace agrid::planning {
 namespace {
@@ -134,6 +135,111 @@ TEST(PortalGraph, PortalsHoldEveryPairOfNeighboursInTwoNodes) {
       }
     }
   }
+}
+
+using Place = std::pair<int, int>;
+
+Place placeOf(Pixel half_pixels) { return {half_pixels.x, half_pixels.y}; }
+
+/// Lengths along the border pieces of a portal from its crossing [px], by breadth-first search.
+std::map<Place, double> lengthsAlong(const std::vector<test::BorderPiece>& pieces,
+                                     const Portal& portal) {
+  const Point2 crossing = coordinates(portal.crossing()) + Point2(0.5, 0.5);
+  std::map<Place, double> lengths{{{static_cast<int>(std::lround(2 * crossing.x())),
+                                    static_cast<int>(std::lround(2 * crossing.y()))},
+                                   0}};
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const test::BorderPiece& piece : pieces) {
+      const auto step = [&](Place from, Place to) {
+        const auto known = lengths.find(from);
+        if (known == lengths.end()) return;
+        const double length = known->second + 0.5;
+        const auto [there, is_new] = lengths.emplace(to, length);
+        if (!is_new && there->second <= length) return;
+        there->second = length;
+        changed = true;
+      };
+      for (const Pixel end : piece.ends()) {
+        step(placeOf(piece.middle()), placeOf(end));
+        step(placeOf(end), placeOf(piece.middle()));
+      }
+    }
+  }
+  return lengths;
+}
+
+TEST(Portal, ReachesEveryPlaceOfItsBorderAndIsStraightIfAllItsPairsLieAlike) {
+  std::mt19937 random(61);
+  int bent = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const Sample s = randomSample(random);
+    for (const Portal& portal : s.graph->portals()) {
+      const auto pieces = test::piecesOf(*s.graph, s.scene.grid.geometry, portal);
+      double farthest = 0;
+      for (const auto& [place, length] : lengthsAlong(pieces, portal)) {
+        farthest = std::max(farthest, length);
+        const Point2 p = (Point2(place.first, place.second) - Point2(1, 1)) / 2;
+        EXPECT_EQ(portal.distanceToBorder(finePoint(p)), 0);
+      }
+      EXPECT_GE(portal.reach, farthest);
+      const bool is_alike = std::all_of(pieces.begin(), pieces.end(), [&](const auto& piece) {
+        return (piece.low.y == piece.high.y) == (portal.middle.y == portal.beyond.y) &&
+               s.graph->nodeAt(s.scene.grid.geometry.index(piece.low)) == portal.nodes[0];
+      });
+      if (portal.straight) {
+        EXPECT_TRUE(is_alike);
+        EXPECT_LE(portal.reach, static_cast<double>(pieces.size()) / 2 + 0.51);
+      }
+      bent += is_alike ? 0 : 1;
+    }
+  }
+  EXPECT_GT(bent, 100);
+}
+
+TEST(Portal, StraightBordersLeadToTheirOwnSideOnly) {
+  std::mt19937 random(62);
+  int turned_down = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Sample s = randomSample(random);
+    for (const Portal& portal : s.graph->portals()) {
+      const Pixel step{portal.beyond.x - portal.middle.x, portal.beyond.y - portal.middle.y};
+      for (const int d : {-5, -1, 0, 1, 5}) {
+        // Beyond the border by d, and anywhere along it.
+        const std::int64_t along = (static_cast<int>(random() % 21) - 10) * kFine;
+        const FinePoint p{portal.crossing().x + d * step.x * kFine + step.y * along,
+                          portal.crossing().y + d * step.y * kFine + step.x * along};
+        EXPECT_EQ(portal.canLeadTo(p, portal.nodes[0]), !portal.straight || d <= 0);
+        EXPECT_EQ(portal.canLeadTo(p, portal.nodes[1]), !portal.straight || d >= 0);
+        turned_down += portal.straight && d != 0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(turned_down, 1000);
+}
+
+/// A border that winds back is longer than its box is wide and high.
+TEST(Portal, ReachOfAWindingBorderIsItsLength) {
+  test::Scene scene =
+      test::sceneOf({".......", ".......", ".......", ".......", ".......", "......."});
+  scene.areas = {"AAAAAAA", "AAAAAAA", "ABAAABA", "ABBABBB", "BBBBBBB", "BBBBBBB"};
+  const test::RoadSample s = test::roadSample(scene, {});
+  const PortalGraph whole(s.free(), [&](int y, std::vector<std::uint32_t>& row) {
+    for (std::size_t x = 0; x < row.size(); ++x) {
+      row[x] = scene.areas[static_cast<std::size_t>(5 - y)][x] == 'A' ? 0 : 1;
+    }
+  });
+  double farthest = 0;
+  ASSERT_EQ(whole.portals().size(), 1U);
+  const Portal& portal = whole.portals().front();
+  const auto pieces = test::piecesOf(whole, s.geometry(), portal);
+  for (const auto& [place, length] : lengthsAlong(pieces, portal)) {
+    farthest = std::max(farthest, length);
+  }
+  EXPECT_EQ(pieces.size(), 9U);
+  EXPECT_GE(portal.reach, farthest);
+  EXPECT_FALSE(portal.straight);
 }
 
 TEST(CellLookup, AgreeWithTheGridAwayFromItsLines) {
