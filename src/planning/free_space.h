@@ -30,10 +30,13 @@ class FreeSpace {
   /// The same for a radius that is smaller by `px`; all but the ring is free where none is left.
   FreeSpace narrowedLess(double px) const;
 
-  bool isFree(Pixel p) const {
-    return p.x > 0 && p.y > 0 && p.x < geometry_.width - 1 && p.y < geometry_.height - 1 &&
-           squaredDistance(p) > limit_;
+  bool isFree(Pixel p) const { return isInside(p) && isFarEnough(squaredDistance(p)); }
+  /// Whether a pixel does not lie on the map's outermost ring.
+  bool isInside(Pixel p) const {
+    return p.x > 0 && p.y > 0 && p.x < geometry_.width - 1 && p.y < geometry_.height - 1;
   }
+  /// Whether a squared distance to the obstacles suffices [px^2].
+  bool isFarEnough(std::int32_t squared_distance) const { return squared_distance > limit_; }
   /// Of a pixel that the map contains [px^2].
   std::int32_t squaredDistance(Pixel p) const { return (*squared_distances_)[geometry_.index(p)]; }
 

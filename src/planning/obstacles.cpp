@@ -58,10 +58,12 @@ std::optional<Segment> clipped(const MapGeometry& geometry, const Point2& a, con
 
 }  // namespace
 
-Obstacles::Obstacles(const SemanticMap& map, bool allow_unknown)
-    : map_(&map.map()), allow_unknown_(allow_unknown) {
+Obstacles::Obstacles(const SemanticMap& map, bool allow_unknown, Clearance clearance)
+    : map_(&map.map()), allow_unknown_(allow_unknown), clearance_(clearance) {
   for (const Door& door : map.area_map.doors) {
-    if (door.state == DoorState::kClosed) close(door.jambs_map);
+    if (door.state != DoorState::kClosed) continue;
+    const std::vector<std::size_t> pixels = pixelsOf(door.jambs_map);
+    door_pixels_.insert(door_pixels_.end(), pixels.begin(), pixels.end());
   }
   std::sort(door_pixels_.begin(), door_pixels_.end());
   door_pixels_.erase(std::unique(door_pixels_.begin(), door_pixels_.end()), door_pixels_.end());
@@ -77,15 +79,16 @@ bool Obstacles::at(std::size_t pixel_index) const {
          std::binary_search(door_pixels_.begin(), door_pixels_.end(), pixel_index);
 }
 
-void Obstacles::close(const Segment& jambs_map) {
+std::vector<std::size_t> Obstacles::pixelsOf(const Segment& jambs_map) const {
+  std::vector<std::size_t> pixels;
   const MapGeometry& geometry = map_->geometry();
   const auto jambs = clipped(geometry, pixelCoordinates(geometry, jambs_map.a),
                              pixelCoordinates(geometry, jambs_map.b));
-  if (!jambs) return;
+  if (!jambs) return pixels;
   const Point2 a = jambs->a;
   const Point2 b = jambs->b;
   const auto blockPixel = [&](Pixel p) {
-    if (geometry.contains(p)) door_pixels_.push_back(geometry.index(p));
+    if (geometry.contains(p)) pixels.push_back(geometry.index(p));
     return true;
   };
   const auto isOpen = [&](const Point2& p) {
@@ -100,6 +103,7 @@ void Obstacles::close(const Segment& jambs_map) {
   };
   const auto inside = clipped(geometry, reach(a, -step), reach(b, step));
   if (inside) walkTouched(finePoint(inside->a), finePoint(inside->b), blockPixel);
+  return pixels;
 }
 
 std::vector<std::uint8_t> Obstacles::mask() const {
@@ -109,11 +113,16 @@ std::vector<std::uint8_t> Obstacles::mask() const {
   return mask;
 }
 
+std::vector<std::int32_t> distancesToMarked(const MapGeometry& geometry,
+                                            std::vector<std::uint8_t> marked, Clearance clearance,
+                                            const StopCheck& stop) {
+  if (clearance == Clearance::kStrict) widenByOnePixel(geometry, marked);
+  return squaredDistances(geometry, marked, [&stop] { stop.check(); });
+}
+
 std::vector<std::int32_t> obstacleDistances(const MapGeometry& geometry, const Obstacles& obstacles,
                                             Clearance clearance, const StopCheck& stop) {
-  std::vector<std::uint8_t> mask = obstacles.mask();
-  if (clearance == Clearance::kStrict) widenByOnePixel(geometry, mask);
-  return squaredDistances(geometry, mask, [&stop] { stop.check(); });
+  return distancesToMarked(geometry, obstacles.mask(), clearance, stop);
 }
 
 }  // namespace agrid::planning

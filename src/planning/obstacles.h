@@ -13,20 +13,30 @@ namespace agrid::planning {
 /// closed doors.
 class Obstacles {
  public:
-  Obstacles(const SemanticMap& map, bool allow_unknown);
+  /// @param clearance  the rule by which distances to them are measured
+  Obstacles(const SemanticMap& map, bool allow_unknown, Clearance clearance = Clearance::kCostmap);
+
+  Clearance clearance() const { return clearance_; }
 
   bool at(std::size_t pixel_index) const;
+  /// The same with all doors open.
+  bool blockedInMap(std::size_t pixel_index) const;
+  /// The pixels that a door blocks when it is closed; some of them may be obstacles anyway.
+  std::vector<std::size_t> pixelsOf(const Segment& jambs_map) const;
   /// One byte a pixel, row-major, 1 = obstacle.
   std::vector<std::uint8_t> mask() const;
 
  private:
-  bool blockedInMap(std::size_t pixel_index) const;
-  void close(const Segment& jambs_map);
-
   const OccupancyMap* map_;
   bool allow_unknown_;
+  Clearance clearance_;
   std::vector<std::size_t> door_pixels_;  // those of closed doors that are free in the map, sorted
 };
+
+/// Squared distance of every pixel to the marked ones [px^2], by the rule of `clearance`.
+std::vector<std::int32_t> distancesToMarked(const MapGeometry& geometry,
+                                            std::vector<std::uint8_t> marked, Clearance clearance,
+                                            const StopCheck& stop = {});
 
 /// Squared distance of every pixel to the obstacles [px^2], by the rule of `clearance`: from centre
 /// to centre, or between the pixels' squares.

@@ -60,7 +60,7 @@ std::vector<PixelBox> boxesOf(const PortalGraph& regions, const Road& road) {
 
 PlannerCore::PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerParams& params)
     : map_(requireMap(map)),
-      obstacles_(*map_, params.allow_unknown),
+      obstacles_(*map_, params.allow_unknown, params.clearance),
       cells_(map_->map().geometry(), map_->grid()),
       area_boxes_(areaBoxes(*map_)),
       levels_(*map_, distancesOf(*map_, obstacles_, params.clearance)) {
@@ -99,8 +99,8 @@ Task PlannerCore::taskToPoint(Task task, const EndpointChoice& starts, const Poi
   const auto pair = connectedPair(starts, goals);
   if (!pair) {
     throw Refusal{PlanStatus::kNoRoute,
-                  explainNoRoute(*map_, *task.level, starts.places.front().component,
-                                 goals.places.front().component)};
+                  explainNoRoute(*map_, *task.level, obstacles_, starts.places.front().component,
+                                 {goals.places.front().component})};
   }
   task.start = pair->first;
   task.target.point = pair->second.point;
@@ -119,7 +119,6 @@ Task PlannerCore::taskToArea(Task task, const EndpointChoice& starts, AreaId id)
                   "the robot's centre fits nowhere in the area '" + name + "'"};
   }
   const PortalGraph& regions = task.level->roadmap.regions();
-  const std::uint32_t first = regions.componentOf(target.regions.front());
   for (const Endpoint& place : starts.places) {
     std::vector<std::uint32_t> reachable;
     for (const std::uint32_t region : target.regions) {
@@ -131,8 +130,10 @@ Task PlannerCore::taskToArea(Task task, const EndpointChoice& starts, AreaId id)
     task.target.regions = std::move(reachable);
     return task;
   }
-  throw Refusal{PlanStatus::kNoRoute,
-                explainNoRoute(*map_, *task.level, starts.places.front().component, first)};
+  std::vector<std::uint32_t> goals;
+  for (const std::uint32_t region : target.regions) goals.push_back(regions.componentOf(region));
+  throw Refusal{PlanStatus::kNoRoute, explainNoRoute(*map_, *task.level, obstacles_,
+                                                     starts.places.front().component, goals)};
 }
 
 std::size_t PlannerCore::areaIndex(AreaId id) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "agrid/semantic_map.h"
+#include "planning/barriers.h"
 #include "planning/free_space.h"
 #include "planning/landmarks.h"
 #include "planning/portal_graph.h"
@@ -23,6 +24,9 @@ class RadiusLevel {
   const Roadmap roadmap;
   const Landmarks path_landmarks;
   const Landmarks least_landmarks;
+
+  /// What keeps its components apart.
+  const Barriers barriers;
 
   /// First level: its classes are the labels of the areas. Made when it is first asked for.
   const PortalGraph& areas(const StopCheck& stop) const;
