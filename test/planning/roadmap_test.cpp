@@ -34,13 +34,10 @@ TEST(Roadmap, RegionsHaveAllTurningPointsWithinReachOfTheirPaths) {
       for (const TurningPoint& p : s.roadmap().roads(region).points()) {
         EXPECT_TRUE(listed.emplace(p.at.x, p.at.y).second) << "listed twice";
       }
-      double extent = 0;
-      for (const Portal* portal : s.portalsOf(region)) {
-        extent = std::max<double>({extent, double(portal->border.high.x - portal->border.low.x),
-                                   double(portal->border.high.y - portal->border.low.y)});
-      }
+      double reach = 0;
+      for (const Portal* portal : s.portalsOf(region)) reach = std::max(reach, portal->reach);
       for (const TurningPoint& p : points) {
-        if (distanceTo(s, region, p.at.pixel()) > extent) continue;
+        if (distanceTo(s, region, p.at.pixel()) > reach) continue;
         ASSERT_EQ(listed.count({p.at.x, p.at.y}), 1U) << "trial " << trial << " region " << region;
         outside += s.regionAt(p.at.pixel()) == region ? 0 : 1;
       }
