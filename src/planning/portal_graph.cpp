@@ -113,7 +113,7 @@ Runs RunBuilder::wholeRuns() const {
 Runs RunBuilder::parts() const {
   constexpr int kShortest = 3;
   constexpr int kLongest = 12;
-  constexpr int kParts = 8;
+  constexpr int kParts = 16;
   Runs whole = wholeRuns();
   Runs parts(pairs_);
   for (const auto& link : links_) {

@@ -13,7 +13,7 @@
 namespace agrid::planning {
 
 constexpr std::uint32_t kNoNode = 0xffffffff;
-/// Whether portals are maximal runs, or parts of them: eight of a run, if each is then 3 to 12
+/// Whether portals are maximal runs, or parts of them: sixteen of a run, if each is then 3 to 12
 /// pixels long and wide.
 enum class PortalCut { kWholeRuns, kParts };
 

@@ -8,7 +8,7 @@ namespace agrid::planning {
 namespace {
 
 /// Side of a block [px].
-constexpr int kBlock = 64;
+constexpr int kBlock = 32;
 /// A region is divided while it has more turning points than this, down to one block. Sight
 /// between its points is looked for pair by pair.
 constexpr std::uint32_t kMaxPoints = 200;
