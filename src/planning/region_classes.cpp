@@ -5,16 +5,6 @@
 #include <numeric>
 
 namespace agrid::planning {
-namespace {
-
-/// Side of a block [px].
-constexpr int kBlock = 32;
-/// A region is divided while it has more turning points than this, down to one block. Sight
-/// between its points is looked for pair by pair.
-constexpr std::uint32_t kMaxPoints = 200;
-
-}  // namespace
-
 RegionClasses::RegionClasses(const MapGeometry& geometry,
                              const std::vector<std::uint16_t>& pixel_labels,
                              const std::vector<TurningPoint>& points)

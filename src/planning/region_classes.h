@@ -14,6 +14,12 @@ namespace agrid::planning {
 /// with few, so that what is stored for a region stays small however large or cluttered an area is.
 class RegionClasses {
  public:
+  /// Side of a block [px].
+  static constexpr int kBlock = 32;
+  /// A region is divided while it has more turning points than this, down to one block. Sight
+  /// between its points is looked for pair by pair.
+  static constexpr std::uint32_t kMaxPoints = 200;
+
   /// @param pixel_labels  of the areas, row-major, 0 where there is none
   RegionClasses(const MapGeometry& geometry, const std::vector<std::uint16_t>& pixel_labels,
                 const std::vector<TurningPoint>& points);

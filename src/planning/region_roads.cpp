@@ -186,13 +186,14 @@ void RegionRoads::findLeast(const std::vector<const Portal*>& portals,
 float RegionRoads::guessLeast(const std::vector<const Portal*>& portals,
                               const std::vector<View>& views,
                               std::array<std::size_t, 2> ranks) const {
-  const float distance = lengthsTo(Measure::kPath, ranks[0])[nodeOfPortal(ranks[1])];
-  if (distance == kUnreachable) return distance;
   const Portal& a = *portals[ranks[0]];
   const Portal& b = *portals[ranks[1]];
+  // Their middles may see each other, which is no path here, where other places do not.
   if (leadToTheSame(a, b)) {
     return static_cast<float>(views[ranks[0]].to_point + views[ranks[1]].to_point);
   }
+  const float distance = lengthsTo(Measure::kPath, ranks[0])[nodeOfPortal(ranks[1])];
+  if (distance == kUnreachable) return distance;
   return std::max(static_cast<float>(distance - a.reach - b.reach), 0.0F);
 }
 

@@ -10,8 +10,9 @@
 namespace agrid::planning {
 namespace {
 
-constexpr int kBlock = 64;
-constexpr int kMaxPoints = 200;
+constexpr int kBlock = RegionClasses::kBlock;
+constexpr int kMaxPoints = RegionClasses::kMaxPoints;
+static_assert(kMaxPoints == 200, "the second test below counts parts for it");
 
 /// What is known of a class after looking at every pixel.
 struct Class {
@@ -78,7 +79,7 @@ TEST(RegionClasses, PartsAreHalvesByTheirPoints) {
   const MapGeometry g{10 * kBlock, kBlock, 0.05, {}};
   std::vector<TurningPoint> points(1000);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i].at = centerOf({static_cast<int>(i % 10) * kBlock + 30, 30});
+    points[i].at = centerOf({static_cast<int>(i % 10) * kBlock + 10, 10});
   }
   // 1000 = 500 + 500, 500 = 300 + 200, 300 = 200 + 100.
   const auto classes = classesOf(g, std::vector<std::uint16_t>(g.pixelCount()), points);
