@@ -7,56 +7,11 @@
 #include <vector>
 
 #include "planning/free_space.h"
+#include "planning/portal_runs.h"
 #include "planning/stop.h"
 #include "tags/disjoint_sets.h"
 
 namespace agrid::planning {
-
-constexpr std::uint32_t kNoNode = 0xffffffff;
-/// Whether portals are maximal runs, or parts of them: sixteen of a run, if each is then 3 to 12
-/// pixels long and wide.
-enum class PortalCut { kWholeRuns, kParts };
-
-/// A rectangle of pixels, both corners inside.
-struct PixelBox {
-  Pixel low{0x7fffffff, 0x7fffffff};
-  Pixel high{-1, -1};
-
-  void add(Pixel p);
-  std::size_t columns() const { return static_cast<std::size_t>(high.x - low.x + 1); }
-  std::size_t rows() const { return static_cast<std::size_t>(high.y - low.y + 1); }
-};
-
-/// A run of pixel pairs (side by side or one above the other) whose two pixels are free and lie in
-/// two nodes: a maximal one, or a part of one that is no longer than asked for.
-struct Portal {
-  std::array<std::uint32_t, 2> nodes{kNoNode, kNoNode};
-  Pixel middle;  ///< a pixel of its middle pair, in nodes[0]
-  Pixel beyond;  ///< the other pixel of its middle pair, in nodes[1]
-  PixelBox box;  ///< of the pixels of its pairs on both sides
-  PixelBox
-      border;  ///< of the borders between its pairs, in corners: (x, y) is pixel (x, y)'s lower
-  double reach = 0;  ///< no place on those borders is farther from crossing() by path [px]
-
-  /// The middle of the border between the pixels of the middle pair.
-  FinePoint crossing() const {
-    return {(std::int64_t{middle.x} + beyond.x) * (kFine / 2),
-            (std::int64_t{middle.y} + beyond.y) * (kFine / 2)};
-  }
-  /// Whether a straight line from the border into one of the nodes can lead to a point ...
-  bool canLeadTo(FinePoint p, std::uint32_t node) const;
-  /// ... or to anywhere on another border.
-  bool canLeadToBorder(const Portal& other, std::uint32_t node) const;
-  /// Distance of a point to the border's box [px].
-  double distanceToBorder(FinePoint p) const;
-  /// Between two borders' boxes [px].
-  double distanceToBorder(const Portal& other) const;
-  bool straight = false;  ///< the border is a straight line, nodes[0] all on its lower side
-
-  std::size_t sideOf(std::uint32_t node) const { return nodes[0] == node ? 0 : 1; }
-
-  std::uint32_t other(std::uint32_t node) const { return nodes[nodes[0] == node ? 1 : 0]; }
-};
 
 /// Writes the class of each pixel of row `y` (first argument): the cell or the area it belongs to.
 using ClassesOfRow = std::function<void(int, std::vector<std::uint32_t>&)>;
