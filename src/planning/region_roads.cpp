@@ -69,19 +69,7 @@ void RegionRoads::findEdges(const FreeSpace& free) {
 
 std::vector<RegionRoads::View> RegionRoads::findViews(
     const FreeSpace& free, const std::vector<const Portal*>& portals) const {
-  // Where the free space is no wider than a portal reaches, all that is in the region seems to be
-  // seen from its border: that says little, and looking at all of it takes long.
-  constexpr std::size_t kFew = 20000;
-  const bool few = points_.size() * portals.size() < kFew;
   std::vector<View> views(portals.size());
-  for (std::size_t i = 0; i < portals.size(); ++i) {
-    views[i].near = few || free.radiusPx() >= portals[i]->reach + kTwoHalfDiagonals;
-    views[i].to_point = kUnreachable;
-    for (const TurningPoint& point : points_) {
-      const double distance = portals[i]->distanceToBorder(point.corner());
-      views[i].to_point = std::min(views[i].to_point, distance);
-    }
-  }
   for (std::size_t i = 0; i < portals.size(); ++i) {
     lookAtPoints(free, *portals[i], views[i]);
     for (std::size_t j = i + 1; j < portals.size(); ++j) {
@@ -105,7 +93,7 @@ void RegionRoads::lookAtPoints(const FreeSpace& free, const Portal& portal, View
     if (seen && point.isTangentTo(from)) {
       view.nodes.push_back({node, static_cast<float>(distancePx(from, point.corner()))});
     }
-    if (view.near && (seen || wider.canSee(from, point.at))) {
+    if (seen || wider.canSee(from, point.at)) {
       view.nearly.push_back({node, static_cast<float>(portal.distanceToBorder(point.corner()))});
     }
   }
@@ -121,8 +109,7 @@ void RegionRoads::lookAtPortal(const FreeSpace& free, const std::vector<const Po
   if (!a.canLeadToBorder(b, region_) || !b.canLeadToBorder(a, region_)) return;
   const bool seen = free.canSee(from, to);
   const double reach = std::max(a.reach, b.reach);
-  const bool near = views[ranks[0]].near || views[ranks[1]].near;
-  if (!seen && (!near || !free.narrowedLess(reach + kTwoHalfDiagonals).canSee(from, to))) return;
+  if (!seen && !free.narrowedLess(reach + kTwoHalfDiagonals).canSee(from, to)) return;
   const auto length = static_cast<float>(distancePx(from, to));
   const auto least = static_cast<float>(a.distanceToBorder(b));
   for (const std::size_t i : {0U, 1U}) {
@@ -151,50 +138,29 @@ void RegionRoads::findPaths(const std::vector<View>& views, std::size_t rank) {
   next_.insert(next_.end(), next.begin(), next.end());
 }
 
-/// As findPaths, but from border to border.
+/// As findPaths, but from border to border. Also, no path between two places of the borders is
+/// shorter than one between their middles by more than both reaches. That says nothing of a path
+/// that leads back over the same border, which bends on the way: the middles may see each other,
+/// which is no path here, where other places do not.
 void RegionRoads::findLeast(const std::vector<const Portal*>& portals,
                             const std::vector<View>& views, std::size_t rank) {
   const float* distance = lengthsTo(Measure::kPath, rank);
   std::vector<float> reached(nodeCount(), kUnreachable);
-  if (views[rank].near) {
-    std::vector<Node> next(nodeCount());
-    for (const Edge& edge : views[rank].nearly) reached[edge.to] = edge.length;
-    spread(reached, next);
-  } else {
-    const auto reach = static_cast<float>(portals[rank]->reach);
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      reached[i] = std::max(distance[i] - reach, 0.0F);
-  }
+  std::vector<Node> next(nodeCount());
+  for (const Edge& edge : views[rank].nearly) reached[edge.to] = edge.length;
+  spread(reached, next);
   for (std::size_t other = 0; other < views.size(); ++other) {
-    float& least = reached[nodeOfPortal(other)];
-    const float guess = guessLeast(portals, views, {rank, other});
-    if (!views[rank].near || !views[other].near) {
-      least = guess;
-      continue;
-    }
+    const Node there = nodeOfPortal(other);
     for (const Edge& edge : views[other].nearly) {
-      if (isTurningPoint(edge.to)) least = std::min(least, reached[edge.to] + edge.length);
+      if (!isTurningPoint(edge.to)) continue;
+      reached[there] = std::min(reached[there], reached[edge.to] + edge.length);
     }
-    least = std::max(least, guess);
+    if (leadToTheSame(*portals[rank], *portals[other])) continue;
+    const auto slack = static_cast<float>(portals[rank]->reach + portals[other]->reach);
+    reached[there] = std::max(reached[there], distance[there] - slack);
   }
   reached[nodeOfPortal(rank)] = 0;
   least_.insert(least_.end(), reached.begin(), reached.end());
-}
-
-/// Without looking: no path between two places of the borders is shorter than one between their
-/// middles by more than both reaches. One that leads back over the same border bends on the way.
-float RegionRoads::guessLeast(const std::vector<const Portal*>& portals,
-                              const std::vector<View>& views,
-                              std::array<std::size_t, 2> ranks) const {
-  const Portal& a = *portals[ranks[0]];
-  const Portal& b = *portals[ranks[1]];
-  // Their middles may see each other, which is no path here, where other places do not.
-  if (leadToTheSame(a, b)) {
-    return static_cast<float>(views[ranks[0]].to_point + views[ranks[1]].to_point);
-  }
-  const float distance = lengthsTo(Measure::kPath, ranks[0])[nodeOfPortal(ranks[1])];
-  if (distance == kUnreachable) return distance;
-  return std::max(static_cast<float>(distance - a.reach - b.reach), 0.0F);
 }
 
 /// Dijkstra over the turning points, from what is reached already.

@@ -66,8 +66,6 @@ class RegionRoads {
   struct View {
     std::vector<Edge> nodes;   ///< from its middle
     std::vector<Edge> nearly;  ///< from anywhere on its border, and perhaps more; least lengths
-    bool near = false;         ///< whether `nearly` is known
-    double to_point = 0;       ///< least distance of its border to a turning point
   };
   std::size_t nodeCount() const { return points_.size() + crossings_.size(); }
   void findEdges(const FreeSpace& free);
@@ -79,8 +77,6 @@ class RegionRoads {
   void findPaths(const std::vector<View>& views, std::size_t rank);
   void findLeast(const std::vector<const Portal*>& portals, const std::vector<View>& views,
                  std::size_t rank);
-  float guessLeast(const std::vector<const Portal*>& portals, const std::vector<View>& views,
-                   std::array<std::size_t, 2> ranks) const;
   void spread(std::vector<float>& reached, std::vector<Node>& next) const;
 
   std::uint32_t region_ = kNoNode;
