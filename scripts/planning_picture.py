@@ -18,7 +18,7 @@ START, GOAL = (60, 95), (265, 270)  # px
 LEFT, TOP, RIGHT, BOTTOM = 45, 80, 285, 285  # of what is shown [px]
 RADIUS = 0.2  # m
 RESOLUTION = 0.05  # m a pixel, of the office
-SHORTEST, LONGEST, PARTS = 3, 12, 16  # of portals, as in src/planning/portal_graph.cpp
+SHORTEST, LONGEST, PARTS = 3, 12, 16  # of portals, as in src/planning/portal_runs.cpp
 COLOURS = [(197, 227, 246), (210, 234, 215), (243, 227, 213), (236, 217, 236), (212, 217, 243), (203, 236, 239)]  # BGR
 BAR, DOT, BEFORE, AFTER = (60, 60, 220), (110, 70, 30), (130, 130, 130), (210, 100, 0)
 
