@@ -33,6 +33,11 @@ inline bool operator!=(FinePoint a, FinePoint b) { return !(a == b); }
 
 inline FinePoint centerOf(Pixel p) { return {p.x * kFine, p.y * kFine}; }
 
+/// The corner below and to the left of a pixel.
+inline FinePoint lowerCornerOf(Pixel p) {
+  return {p.x * kFine - kFine / 2, p.y * kFine - kFine / 2};
+}
+
 /// Nearest point of the lattice.
 /// @param coordinates  in pixels, pixel centres at integers
 inline FinePoint finePoint(const Point2& coordinates) {

@@ -21,11 +21,8 @@ bool Portal::canLeadTo(FinePoint p, std::uint32_t node) const {
 }
 
 bool Portal::canLeadToBorder(const Portal& other, std::uint32_t node) const {
-  const auto corner = [](int x, int y) {
-    return FinePoint{x * kFine - kFine / 2, y * kFine - kFine / 2};
-  };
-  const PixelBox& b = other.border;
-  return canLeadTo(corner(b.low.x, b.low.y), node) || canLeadTo(corner(b.high.x, b.high.y), node);
+  return canLeadTo(lowerCornerOf(other.border.low), node) ||
+         canLeadTo(lowerCornerOf(other.border.high), node);
 }
 
 double Portal::distanceToBorder(FinePoint p) const {

@@ -14,14 +14,11 @@ using Edge = RegionRoads::Edge;
 
 /// Whether a shortest path from anywhere on the portal's border can bend at the point.
 bool canBendTowards(const TurningPoint& point, const Portal& portal) {
-  const auto corner = [](int x, int y) {
-    return FinePoint{x * kFine - kFine / 2, y * kFine - kFine / 2};
-  };
   const PixelBox& b = portal.border;
-  return point.isTangentTo(portal.crossing()) || point.isTangentTo(corner(b.low.x, b.low.y)) ||
-         point.isTangentTo(corner(b.high.x, b.low.y)) ||
-         point.isTangentTo(corner(b.low.x, b.high.y)) ||
-         point.isTangentTo(corner(b.high.x, b.high.y));
+  return point.isTangentTo(portal.crossing()) || point.isTangentTo(lowerCornerOf(b.low)) ||
+         point.isTangentTo(lowerCornerOf({b.high.x, b.low.y})) ||
+         point.isTangentTo(lowerCornerOf({b.low.x, b.high.y})) ||
+         point.isTangentTo(lowerCornerOf(b.high));
 }
 
 /// Whether two portals of a region lead to the same other one.

@@ -81,16 +81,17 @@ void forEachInParallel(std::size_t count, const Work& work) {
 
 Roadmap::Roadmap(const FreeSpace& free, const std::vector<std::uint16_t>& pixel_labels,
                  const StopCheck& stop)
-    : regions_([&] {
-        const std::vector<TurningPoint> points = turningPoints(free, stop);
-        return regionsOf(free, pixel_labels, points, stop);
-      }()) {
+    : Roadmap(free, pixel_labels, turningPoints(free, stop), stop) {}
+
+Roadmap::Roadmap(const FreeSpace& free, const std::vector<std::uint16_t>& pixel_labels,
+                 const std::vector<TurningPoint>& points, const StopCheck& stop)
+    : regions_(regionsOf(free, pixel_labels, points, stop)) {
   rankPortals();
   label_of_.resize(regions_.nodeCount());
   for (std::size_t i = 0; i < pixel_labels.size(); ++i) {
     if (regions_.nodeAt(i) != kNoNode) label_of_[regions_.nodeAt(i)] = pixel_labels[i];
   }
-  buildRoads(free, turningPoints(free, stop), stop);
+  buildRoads(free, points, stop);
 }
 
 void Roadmap::rankPortals() {

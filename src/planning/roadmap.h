@@ -45,6 +45,8 @@ class Roadmap {
   }
 
  private:
+  Roadmap(const FreeSpace& free, const std::vector<std::uint16_t>& pixel_labels,
+          const std::vector<TurningPoint>& points, const StopCheck& stop);
   void rankPortals();
   void buildRoads(const FreeSpace& free, const std::vector<TurningPoint>& points,
                   const StopCheck& stop);

@@ -11,6 +11,8 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Console.h>
 
+#include "planning/ompl/last_valid.h"
+
 namespace agrid::planning {
 namespace {
 
@@ -42,18 +44,8 @@ class LineOfSight : public ob::MotionValidator {
   bool checkMotion(const ob::State* a, const ob::State* b,
                    std::pair<ob::State*, double>& last_valid) const override {
     if (checkMotion(a, b)) return true;
-    const auto& space = si_->getStateSpace();
-    ob::State* middle = space->allocState();
-    double valid = 0;
-    double invalid = 1;
-    for (int i = 0; i < 20; ++i) {
-      const double t = (valid + invalid) / 2;
-      space->interpolate(a, b, t, middle);
-      (checkMotion(a, middle) ? valid : invalid) = t;
-    }
-    space->freeState(middle);
-    last_valid.second = valid;
-    if (last_valid.first != nullptr) space->interpolate(a, b, valid, last_valid.first);
+    const auto is_free = [&](const ob::State* middle) { return checkMotion(a, middle); };
+    findLastValid(si_->getStateSpace(), a, b, is_free, last_valid);
     return false;
   }
 
