@@ -27,8 +27,9 @@ Structure extractStructure(std::shared_ptr<const OccupancyMap> map, const Pipeli
                            const StageListener& on_stage = {});
 
 /// A-Grid + tags -> areas, doors, labels -> topological graph (paper, 3.2).
-/// @param given  what people and robots said; automatic tags are added for the rest
-SemanticMap annotate(const Structure& structure, const std::vector<Tag>& given,
+/// @param known  what people and robots said, and what was found before; automatic tags are added
+///               for the rest, with ids that were never used
+SemanticMap annotate(const Structure& structure, const Knowledge& known,
                      const PipelineParams& params, const StageListener& on_stage = {});
 
 }  // namespace agrid

@@ -9,7 +9,7 @@
 #include "agrid/grid/a_grid.h"
 #include "agrid/grid/wall_detection.h"
 #include "agrid/map/occupancy_map.h"
-#include "agrid/tags/tag.h"
+#include "agrid/tags/knowledge.h"
 #include "agrid/topology/topological_graph.h"
 
 namespace agrid {
@@ -24,7 +24,7 @@ struct Structure {
 /// The result: a map with its meaning. A value, never changed after it was made.
 struct SemanticMap {
   Structure structure;
-  std::vector<Tag> tags;  ///< given and automatic
+  Knowledge knowledge;  ///< a tag for each area and door, given or automatic; objects; what waits
   AreaMap area_map;
   TopologicalGraph graph;
 

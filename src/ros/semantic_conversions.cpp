@@ -174,10 +174,8 @@ agrid_map::TopologicalGraph graphToMsg(const agrid::SemanticMap& map, const Stam
   msg.version = stamp.version;
   for (const agrid::Area& area : map.area_map.areas) msg.areas.push_back(toMsg(area));
   for (const agrid::Door& door : map.area_map.doors) msg.doors.push_back(toMsg(door));
-  for (const agrid::Tag& tag : map.tags) {
-    if (const auto* object = std::get_if<agrid::ObjectTag>(&tag)) {
-      msg.objects.push_back(objectToMsg(*object, map));
-    }
+  for (const agrid::ObjectTag& object : map.knowledge.objects) {
+    msg.objects.push_back(objectToMsg(object, map));
   }
   return msg;
 }

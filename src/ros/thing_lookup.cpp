@@ -41,10 +41,8 @@ std::vector<Called> allThings(const agrid::SemanticMap& map, const LookupScope& 
     things.push_back({&area, namesOf(area.name, area.properties), area.category,
                       area.category.empty() ? area.category_guess : std::string()});
   }
-  for (const agrid::Tag& tag : map.tags) {
-    if (const auto* object = std::get_if<agrid::ObjectTag>(&tag)) {
-      things.push_back({object, namesOf(object->name, object->properties), object->category, {}});
-    }
+  for (const agrid::ObjectTag& object : map.knowledge.objects) {
+    things.push_back({&object, namesOf(object.name, object.properties), object.category, {}});
   }
   if (!scope.doors) return things;
   for (const agrid::Door& door : map.area_map.doors) {

@@ -79,14 +79,14 @@ inline std::shared_ptr<const AGrid> gridOf(const Scene& scene) {
 
 inline void addAreas(const Scene& scene, SemanticMap& map) {
   const MapGeometry& g = scene.grid.geometry;
-  map.area_map.pixel_labels.assign(g.pixelCount(), 0);
+  std::vector<std::uint16_t> labels(g.pixelCount(), 0);
   for (std::size_t row = 0; row < scene.areas.size(); ++row) {
     for (std::size_t x = 0; x < scene.areas[row].size(); ++x) {
       const char letter = scene.areas[row][x];
       if (letter < 'A' || letter > 'Z') continue;
       const auto label = static_cast<std::uint16_t>(letter - 'A' + 1);
       const Pixel p{static_cast<int>(x), g.height - 1 - static_cast<int>(row)};
-      map.area_map.pixel_labels[g.index(p)] = label;
+      labels[g.index(p)] = label;
       while (map.area_map.areas.size() < label) {
         Area area;
         area.id = AreaId{static_cast<std::uint32_t>(map.area_map.areas.size() + 1)};
@@ -96,6 +96,7 @@ inline void addAreas(const Scene& scene, SemanticMap& map) {
       map.area_map.areas[label - 1U].anchor_map = g.center(p);
     }
   }
+  map.area_map.pixel_labels = std::move(labels);
 }
 
 inline std::shared_ptr<const SemanticMap> mapOf(const Scene& scene) {

@@ -93,7 +93,7 @@ TEST_F(ThingLookup, P7_UnknownNameListsTheClosest) {
   EXPECT_NE(answer.find("are: Kitchen"), std::string::npos) << answer;
   map_.area_map.areas.clear();
   map_.area_map.doors.clear();
-  map_.tags.clear();
+  map_.knowledge.objects.clear();
   EXPECT_NE(find("kichen").find("nothing has a name"), std::string::npos);
 }
 

@@ -25,11 +25,13 @@ inline agrid::SemanticMap twoRooms(const agrid::Pose2& map_from_image = {}) {
   map.structure.grid = std::make_shared<const agrid::AGrid>(
       map_from_image, std::vector<double>{0, 1, 4, 5, 9}, std::vector<double>{0, 1, 4, 5});
   agrid::AreaMap& areas = map.area_map;
+  std::vector<std::uint16_t> labels;
   for (const agrid::Occupancy pixel : metric->pixels()) {
-    const std::size_t column = areas.pixel_labels.size() % 9;
+    const std::size_t column = labels.size() % 9;
     const bool free = pixel == agrid::Occupancy::kFree;
-    areas.pixel_labels.push_back(static_cast<std::uint16_t>(!free ? 0 : column <= 4 ? 1 : 2));
+    labels.push_back(static_cast<std::uint16_t>(!free ? 0 : column <= 4 ? 1 : 2));
   }
+  areas.pixel_labels = std::move(labels);
   const agrid::AreaId none{0};
   const agrid::AreaId hall{3};
   const agrid::AreaId kitchen{7};
@@ -64,7 +66,7 @@ inline agrid::SemanticMap twoRooms(const agrid::Pose2& map_from_image = {}) {
   fridge.pose_map = map_from_image * agrid::Pose2{{7.5, 3.5}, 0};
   fridge.size = {0.5, 0.6};
   fridge.height = 1.8;
-  map.tags.push_back(fridge);
+  map.knowledge.objects.push_back(fridge);
   return map;
 }
 

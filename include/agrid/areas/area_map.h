@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "agrid/geometry/polygon.h"
@@ -44,12 +47,41 @@ struct Door {
   Properties properties;
 };
 
+/// The label of each pixel of a map. Copies share them, so that copying is cheap; never changed
+/// after it was made.
+class PixelLabels {
+ public:
+  PixelLabels() = default;
+  PixelLabels(std::vector<std::uint16_t> labels)  // NOLINT: a vector of labels is what it is
+      : labels_(std::make_shared<const std::vector<std::uint16_t>>(std::move(labels))) {}
+
+  operator const std::vector<std::uint16_t>&() const {  // NOLINT: and can be used as
+    static const std::vector<std::uint16_t> kNone;
+    return labels_ ? *labels_ : kNone;
+  }
+  const std::vector<std::uint16_t>& vector() const { return *this; }
+  std::uint16_t operator[](std::size_t pixel) const { return (*labels_)[pixel]; }
+  std::uint16_t at(std::size_t pixel) const { return vector().at(pixel); }
+  std::size_t size() const { return vector().size(); }
+  const std::uint16_t* data() const { return vector().data(); }
+  auto begin() const { return vector().begin(); }
+  auto end() const { return vector().end(); }
+  /// Whether both are one and the same, which tells it without looking at the pixels.
+  bool shares(const PixelLabels& other) const { return labels_ == other.labels_; }
+  friend bool operator==(const PixelLabels& a, const PixelLabels& b) {
+    return a.shares(b) || a.vector() == b.vector();
+  }
+
+ private:
+  std::shared_ptr<const std::vector<std::uint16_t>> labels_;
+};
+
 /// Areas and doors of a map, and which pixel and cell belongs to which area.
 struct AreaMap {
   std::vector<Area> areas;
   std::vector<Door> doors;
   /// Row-major like the metric map: 0 = no area, k = areas[k - 1]; not 0 only on free pixels.
-  std::vector<std::uint16_t> pixel_labels;
+  PixelLabels pixel_labels;
   /// Row-major like the A-Grid: the area that has most of the cell's free pixels (a tie: the lowest
   /// id), AreaId{0} if none has any.
   std::vector<AreaId> cell_areas;

@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "agrid/geometry/polygon.h"
 #include "agrid/geometry/pose2.h"
 
 namespace agrid {
@@ -31,6 +32,8 @@ struct AreaTag {
   Point2 seed_map = Point2::Zero();  ///< [m]
   TagSource source = TagSource::kAutomatic;
   Properties properties;
+  /// Outer boundary of the area when it was last found, to know it again; empty: it never was.
+  Polygon outline_map = {};
 };
 
 /// "There is a door here" (paper, 3.2): it closes the areas on both sides against each other.
@@ -42,6 +45,8 @@ struct DoorTag {
   DoorState state = DoorState::kUnknown;
   TagSource source = TagSource::kAutomatic;
   Properties properties;
+  /// "There is no door here": the areas on both sides are one.
+  bool absent = false;
 };
 
 /// "There is a thing here" (paper, 4).
@@ -58,5 +63,10 @@ struct ObjectTag {
 
 /// A statement about the map by a person, by a robot with a person, or by the heuristics.
 using Tag = std::variant<AreaTag, DoorTag, ObjectTag>;
+
+// whether all that is said is the same, bit for bit
+bool operator==(const AreaTag& a, const AreaTag& b);
+bool operator==(const DoorTag& a, const DoorTag& b);
+bool operator==(const ObjectTag& a, const ObjectTag& b);
 
 }  // namespace agrid

@@ -23,13 +23,17 @@ Structure extractStructure(std::shared_ptr<const OccupancyMap> map, const Pipeli
   return {std::move(map), std::move(walls), std::move(grid)};
 }
 
-SemanticMap annotate(const Structure& structure, const std::vector<Tag>& given,
+SemanticMap annotate(const Structure& structure, const Knowledge& known,
                      const PipelineParams& params, const StageListener& on_stage) {
   tell(on_stage, "areas");
+  std::vector<Tag> given(known.areas.begin(), known.areas.end());
+  given.insert(given.end(), known.doors.begin(), known.doors.end());
   TaggedAreas areas = findAreas(*structure.map, *structure.grid, given, params.areas);
+  Knowledge knowledge = known;
+  for (const Tag& tag : areas.tags) apply(PutTag{tag}, knowledge);
   tell(on_stage, "graph");
   TopologicalGraph graph = buildGraph(areas.area_map);
-  return {structure, std::move(areas.tags), std::move(areas.area_map), std::move(graph)};
+  return {structure, std::move(knowledge), std::move(areas.area_map), std::move(graph)};
 }
 
 }  // namespace agrid

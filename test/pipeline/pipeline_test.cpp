@@ -16,7 +16,9 @@ namespace {
 
 SemanticMap annotated(const OccupancyGrid& grid, const std::vector<Tag>& given = {}) {
   const PipelineParams params;
-  return annotate(extractStructure(std::make_shared<const OccupancyMap>(grid), params), given,
+  Knowledge known;
+  for (const Tag& tag : given) apply(PutTag{tag}, known);
+  return annotate(extractStructure(std::make_shared<const OccupancyMap>(grid), params), known,
                   params);
 }
 
@@ -61,9 +63,9 @@ TEST(Pipeline, FindsTheAreasThatProposingAndGrowingFindOneAfterTheOther) {
     PipelineParams params;
     params.areas.method = method;
     std::vector<Tag> tags{area, door};
-    const SemanticMap found = annotate(structure, tags, params);
-    for (Tag& tag : proposeTags(found.map(), tags, params.areas)) tags.push_back(std::move(tag));
-    const AreaMap expected = segmentAreas(found.map(), found.grid(), tags, params.areas);
+    const TaggedAreas found = findAreas(*structure.map, *structure.grid, tags, params.areas);
+    for (Tag& tag : proposeTags(*structure.map, tags, params.areas)) tags.push_back(std::move(tag));
+    const AreaMap expected = segmentAreas(*structure.map, *structure.grid, tags, params.areas);
     EXPECT_EQ(found.tags.size(), tags.size());
     EXPECT_EQ(found.area_map.pixel_labels, expected.pixel_labels);
     EXPECT_EQ(found.area_map.warnings, expected.warnings);

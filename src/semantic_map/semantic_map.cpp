@@ -32,9 +32,8 @@ std::vector<std::string> symbolsAt(const SemanticMap& map, Cell cell) {
   for (const Door& door : map.area_map.doors) {
     if (std::binary_search(door.cells.begin(), door.cells.end(), index)) symbols.insert(door.name);
   }
-  for (const Tag& tag : map.tags) {
-    const auto* object = std::get_if<ObjectTag>(&tag);
-    if (object && grid.cellAt(object->pose_map.position) == cell) symbols.insert(object->name);
+  for (const ObjectTag& object : map.knowledge.objects) {
+    if (grid.cellAt(object.pose_map.position) == cell) symbols.insert(object.name);
   }
   return {symbols.begin(), symbols.end()};
 }

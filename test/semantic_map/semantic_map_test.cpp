@@ -35,12 +35,14 @@ SemanticMap twoRooms() {
   door.cells = {0, 1};
   map.area_map.areas = {left, right};
   map.area_map.doors = {door};
+  std::vector<std::uint16_t> labels;
   for (const char c : std::string("0000000"
                                   "0111220"
                                   "0110220"
                                   "0000000")) {
-    map.area_map.pixel_labels.push_back(static_cast<std::uint16_t>(c - '0'));
+    labels.push_back(static_cast<std::uint16_t>(c - '0'));
   }
+  map.area_map.pixel_labels = std::move(labels);
   map.area_map.cell_areas = {left.id, right.id};
   return map;
 }
@@ -62,7 +64,7 @@ TEST(SemanticMap, ACellHoldsASetOfSymbols) {
   ObjectTag fridge;
   fridge.name = "fridge";
   fridge.pose_map.position = {1.5, 1.5};
-  map.tags.emplace_back(fridge);
+  map.knowledge.objects.push_back(fridge);
   EXPECT_EQ(symbolsAt(map, {0, 0}), (Symbols{"door_2", "fridge", "kitchen"}));
   EXPECT_EQ(symbolsAt(map, {0, 1}), (Symbols{"door_2", "hall"}));
 }
