@@ -8,6 +8,7 @@
 
 #include "ros/parameter_table.h"
 #include "ros/text.h"
+#include "semantic_map/closest_names.h"
 
 namespace agrid_map_ros {
 namespace {
@@ -67,7 +68,7 @@ struct Store {
     const auto found = std::find(field.words.begin(), field.words.end(), word);
     if (found == field.words.end()) {
       throw std::invalid_argument("is '" + printable(word) +
-                                  "', allowed are: " + joined(field.words));
+                                  "', allowed are: " + agrid::joined(field.words));
     }
     field.choose(static_cast<std::size_t>(found - field.words.begin()));
   }
@@ -138,7 +139,7 @@ std::vector<std::string> unknownNames(XmlRpcValue& values) {
     if (kForeign.count(name) || std::binary_search(names.begin(), names.end(), name)) continue;
     const std::string shown = printable(name.substr(0, kLongestText));
     warnings.push_back("there is no parameter '" + shown + "'; the nearest known one is '" +
-                       closestNames(shown, names, 1).at(0) + "'");
+                       agrid::closestNames(shown, names, 1).at(0) + "'");
   }
   return warnings;
 }

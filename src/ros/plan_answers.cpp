@@ -34,7 +34,7 @@ agrid::PlanPoint robotPoint(const Ground& ground) {
 
 /// Where a named start lies: an area's anchor, an object's centre.
 agrid::PlanPoint namedStart(const Ground& ground, const std::string& name) {
-  const std::vector<Thing> things = findThings(*ground.snapshot.map, name, {}).things;
+  const std::vector<agrid::Thing> things = findThings(*ground.snapshot.map, name, {}).things;
   if (things.size() > 1) {
     throw RequestError(Status::START_INVALID, "'" + printable(name) + "' means " +
                                                   std::to_string(things.size()) +
@@ -70,7 +70,8 @@ agrid::Plan planPathTo(const Ground& ground, const agrid_map::PlanPath::Request&
     wanted.timeout = limit.left();
     return ground.snapshot.planner->plan(wanted);
   }
-  const FoundThings found = findThings(*ground.snapshot.map, request.goal_name, {false, true});
+  const agrid::FoundThings found =
+      findThings(*ground.snapshot.map, request.goal_name, {false, true});
   const WayFinder ways{*ground.snapshot.planner, limit};
   agrid::Plan plan = ways.planToNearest(found.things, wanted, request.goal_at_anchor);
   plan.message = withRemark(found, plan.message);
@@ -95,7 +96,7 @@ agrid_map::PlanAreas::Response answerPlanAreas(const Ground& ground,
     wanted.timeout = limit.left();
     list = snapshot.planner->routes(wanted, request.max_routes);
   } else {
-    const FoundThings found = findThings(*snapshot.map, request.goal, {false, true});
+    const agrid::FoundThings found = findThings(*snapshot.map, request.goal, {false, true});
     const WayFinder ways{*snapshot.planner, limit};
     list = ways.routesToNearest(found.things, wanted, request.max_routes);
     list.message = withRemark(found, list.message);

@@ -24,7 +24,7 @@ struct Ground {
 };
 
 /// The answers to the planning services; a plan that fails has its status in the response.
-/// @throws RequestError if the request cannot be understood
+/// @throws RequestError, LookupError if the request cannot be understood
 agrid_map::PlanAreas::Response answerPlanAreas(const Ground& ground,
                                                const agrid_map::PlanAreas::Request& request);
 agrid_map::PlanPath::Response answerPlanPath(const Ground& ground,

@@ -16,11 +16,11 @@ using agrid_map::Status;
 
 /// A thing and how far it is by path.
 struct Match {
-  Thing thing;
+  agrid::Thing thing;
   double distance = std::numeric_limits<double>::infinity();  // [m]
 };
 
-agrid_map::Tag tagOfThing(const Thing& thing, const std_msgs::Header& header) {
+agrid_map::Tag tagOfThing(const agrid::Thing& thing, const std_msgs::Header& header) {
   return std::visit([&header](const auto* held) { return tagOf(*held, header); }, thing);
 }
 
@@ -30,10 +30,10 @@ struct Distances {
   std::string problem;  ///< empty: all can
 };
 
-Distances distancesTo(const std::vector<Thing>& things, const WayFinder& ways,
+Distances distancesTo(const std::vector<agrid::Thing>& things, const WayFinder& ways,
                       const agrid::PlanRequest& wanted) {
   Distances distances;
-  for (const Thing& thing : things) {
+  for (const agrid::Thing& thing : things) {
     Match match{thing};
     const agrid::Plan plan = ways.planner.plan(ways.timedRequestTo(thing, wanted, false));
     if (plan.status == agrid::PlanStatus::kCancelled) {
@@ -85,7 +85,7 @@ agrid_map::WhereIs::Response answerWhereIs(const Ground& ground,
   } else {
     wanted.start = frames.planPoint(request.start);
   }
-  const FoundThings found = findThings(*snapshot.map, request.name, {true, true});
+  const agrid::FoundThings found = findThings(*snapshot.map, request.name, {true, true});
   const Distances distances = distancesTo(found.things, {*snapshot.planner, limit}, wanted);
   agrid_map::WhereIs::Response response;
   response.status.message = withRemark(found, distances.problem);

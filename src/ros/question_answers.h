@@ -11,7 +11,7 @@
 namespace agrid_map_ros {
 
 /// The answers to questions about the map.
-/// @throws RequestError if there is none
+/// @throws RequestError, LookupError if there is none
 agrid_map::LabelAt::Response answerLabelAt(const Ground& ground,
                                            const agrid_map::LabelAt::Request& request);
 /// From a start where the robot cannot be, the distances are inf and the message says why.

@@ -21,4 +21,7 @@ class RequestError : public std::runtime_error {
   std::uint8_t code_;
 };
 
+/// What the exception that is being handled means to the client: every one ends here.
+agrid_map::Status statusOfException();
+
 }  // namespace agrid_map_ros

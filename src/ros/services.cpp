@@ -2,14 +2,12 @@
 #include "ros/services.h"
 
 #include <algorithm>
-#include <new>
 #include <thread>
 #include <type_traits>
 #include <utility>
 
 #include "ros/question_answers.h"
 #include "ros/request_error.h"
-#include "ros/text.h"
 
 namespace agrid_map_ros {
 namespace {
@@ -33,21 +31,6 @@ void setStatus(Response& response, const Status& status) {
   if constexpr (!std::is_same_v<Response, nav_msgs::GetPlan::Response>) {
     response = Response();
     response.status = status;
-  }
-}
-
-/// What the exception that is being handled means to the client: every one ends here.
-Status statusOfException() {
-  try {
-    throw;
-  } catch (const RequestError& error) {
-    return statusOf(error.code(), error.what());
-  } catch (const std::bad_alloc&) {
-    return statusOf(Status::LIMIT_REACHED, "out of memory");
-  } catch (const std::exception& error) {
-    return statusOf(Status::INVALID_REQUEST, printable(error.what()));
-  } catch (...) {
-    return statusOf(Status::INVALID_REQUEST, "unknown exception");
   }
 }
 

@@ -11,14 +11,6 @@ namespace {
 /// How far from the middle of a thing a robot may stop to be there [m].
 constexpr double kReach = 1.0;
 
-struct Position {
-  agrid::Point2 operator()(const agrid::Area* area) const { return area->anchor_map; }
-  agrid::Point2 operator()(const agrid::Door* door) const { return door->jambs_map.midpoint(); }
-  agrid::Point2 operator()(const agrid::ObjectTag* object) const {
-    return object->pose_map.position;
-  }
-};
-
 /// How far a goal at a thing's position may be moved [m].
 struct Reach {
   double operator()(const agrid::Area*) const { return 0; }
@@ -35,9 +27,8 @@ std::string overAfter(std::size_t count, std::size_t all, const std::string& mes
 
 }  // namespace
 
-agrid::Point2 positionOf(const Thing& thing) { return std::visit(Position{}, thing); }
-
-agrid::PlanRequest requestTo(const Thing& thing, const agrid::PlanRequest& base, bool at_anchor) {
+agrid::PlanRequest requestTo(const agrid::Thing& thing, const agrid::PlanRequest& base,
+                             bool at_anchor) {
   agrid::PlanRequest request = base;
   if (const auto* area = std::get_if<const agrid::Area*>(&thing)) {
     request.goal = agrid::AreaGoal{(*area)->id, at_anchor};
@@ -48,14 +39,14 @@ agrid::PlanRequest requestTo(const Thing& thing, const agrid::PlanRequest& base,
   return request;
 }
 
-agrid::PlanRequest WayFinder::timedRequestTo(const Thing& thing, const agrid::PlanRequest& base,
-                                             bool at_anchor) const {
+agrid::PlanRequest WayFinder::timedRequestTo(const agrid::Thing& thing,
+                                             const agrid::PlanRequest& base, bool at_anchor) const {
   agrid::PlanRequest request = requestTo(thing, base, at_anchor);
   request.timeout = limit.left();
   return request;
 }
 
-agrid::Plan WayFinder::planToNearest(const std::vector<Thing>& things,
+agrid::Plan WayFinder::planToNearest(const std::vector<agrid::Thing>& things,
                                      const agrid::PlanRequest& base, bool at_anchor) const {
   agrid::Plan best = planner.plan(timedRequestTo(things.at(0), base, at_anchor));
   double seconds = best.planning_time;
@@ -73,7 +64,7 @@ agrid::Plan WayFinder::planToNearest(const std::vector<Thing>& things,
   return best;
 }
 
-agrid::RouteList WayFinder::routesToNearest(const std::vector<Thing>& things,
+agrid::RouteList WayFinder::routesToNearest(const std::vector<agrid::Thing>& things,
                                             const agrid::PlanRequest& base,
                                             std::size_t max_routes) const {
   agrid::RouteList best = planner.routes(timedRequestTo(things.at(0), base, false), max_routes);

@@ -4,18 +4,16 @@
 #include <vector>
 
 #include "agrid/planning/planner.h"
-#include "ros/thing_lookup.h"
+#include "agrid/semantic_map/thing_lookup.h"
 #include "ros/time_limit.h"
 
 namespace agrid_map_ros {
 
-/// Where a thing lies, map frame [m]: an area's anchor, a door's middle, an object's centre.
-agrid::Point2 positionOf(const Thing& thing);
-
 /// A request for the way to a thing: to the nearest point or the anchor of an area, to the middle
 /// of a door, to where the robot can stand beside an object.
 /// @param base  all but the goal
-agrid::PlanRequest requestTo(const Thing& thing, const agrid::PlanRequest& base, bool at_anchor);
+agrid::PlanRequest requestTo(const agrid::Thing& thing, const agrid::PlanRequest& base,
+                             bool at_anchor);
 
 /// Looks for the nearest of some things within a time limit.
 struct WayFinder {
@@ -25,14 +23,14 @@ struct WayFinder {
   /// The shortest of the ways to the things; if none can be reached, what is said of the first. The
   /// message tells if the time was over before all were looked at.
   /// @param base  all but goal and timeout
-  agrid::Plan planToNearest(const std::vector<Thing>& things, const agrid::PlanRequest& base,
+  agrid::Plan planToNearest(const std::vector<agrid::Thing>& things, const agrid::PlanRequest& base,
                             bool at_anchor) const;
   /// The same for routes: those to the thing with the shortest one.
-  agrid::RouteList routesToNearest(const std::vector<Thing>& things, const agrid::PlanRequest& base,
-                                   std::size_t max_routes) const;
+  agrid::RouteList routesToNearest(const std::vector<agrid::Thing>& things,
+                                   const agrid::PlanRequest& base, std::size_t max_routes) const;
 
   /// `base` for one thing, with the time that is left.
-  agrid::PlanRequest timedRequestTo(const Thing& thing, const agrid::PlanRequest& base,
+  agrid::PlanRequest timedRequestTo(const agrid::Thing& thing, const agrid::PlanRequest& base,
                                     bool at_anchor) const;
 };
 

@@ -54,8 +54,8 @@ class AnswersFixture : public testing::Test {
   static int codeThrown(const Answer& answer) {
     try {
       answer();
-    } catch (const RequestError& error) {
-      return error.code();
+    } catch (...) {
+      return statusOfException().code;
     }
     return agrid_map::Status::SUCCESS;
   }

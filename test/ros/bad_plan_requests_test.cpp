@@ -110,7 +110,7 @@ TEST_F(Answers, P10_TheTimeoutIsThatOfTheRequestOrTheParameterAndCountsFromTheAr
 }
 
 TEST_F(Answers, P10_AllGoalsOfANameShareTheTimeout) {
-  std::vector<Thing> things;
+  std::vector<agrid::Thing> things;
   for (const agrid::Area& area : snapshot_.map->area_map.areas) things.push_back(&area);
   agrid::PlanRequest wanted;
   wanted.start.position_map = {2.5, 3.5};
@@ -187,6 +187,8 @@ TEST_F(Answers, P7_GoalByName) {
   EXPECT_LT(nearest.length, anchor.length);
   request.goal_name = "area_99";
   EXPECT_EQ(codeThrown([&] { answerPlanPath(ground_, request); }), int{Status::UNKNOWN_NAME});
+  request.goal_name = "a\nb";
+  EXPECT_EQ(codeThrown([&] { answerPlanPath(ground_, request); }), int{Status::INVALID_REQUEST});
 }
 
 }  // namespace

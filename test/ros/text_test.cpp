@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/text.h"
 
-#include <algorithm>
-#include <random>
-
 #include <gtest/gtest.h>
 
 namespace agrid_map_ros {
@@ -28,32 +25,6 @@ TEST(Text, Printable) {
 TEST(Text, NumbersDoNotDependOnTheLocale) {
   EXPECT_EQ(formatNumber(0.25), "0.25");
   EXPECT_EQ(formatNumber(1e9), "1e+09");
-}
-
-/// The definition, without the table.
-std::size_t slowDistance(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return a.size() + b.size();
-  const std::string shorter_a = a.substr(1);
-  const std::string shorter_b = b.substr(1);
-  return std::min({slowDistance(shorter_a, shorter_b) + (a[0] == b[0] ? 0 : 1),
-                   slowDistance(shorter_a, b) + 1, slowDistance(a, shorter_b) + 1});
-}
-
-TEST(Text, EditDistanceIsTheDefinitions) {
-  std::mt19937 random(7);
-  for (int i = 0; i < 300; ++i) {
-    std::string a(random() % 6, 'a');
-    std::string b(random() % 6, 'a');
-    for (char& c : a) c = static_cast<char>('a' + random() % 3);
-    for (char& c : b) c = static_cast<char>('a' + random() % 3);
-    EXPECT_EQ(editDistance(a, b), slowDistance(a, b)) << a << " " << b;
-  }
-}
-
-TEST(Text, ClosestNames) {
-  EXPECT_EQ(closestNames("area_12", {"hall", "Area_1", "area_2", "area_2"}, 2),
-            (std::vector<std::string>{"Area_1", "area_2"}));
-  EXPECT_TRUE(closestNames("x", {}).empty());
 }
 
 }  // namespace

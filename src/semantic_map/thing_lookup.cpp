@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/thing_lookup.h"
+#include "agrid/semantic_map/thing_lookup.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <sstream>
 
-#include "ros/request_error.h"
-#include "ros/text.h"
+#include "agrid/tags/name.h"
+#include "map/printable.h"
+#include "semantic_map/closest_names.h"
 
-namespace agrid_map_ros {
+namespace agrid {
 namespace {
-
-constexpr std::size_t kLongestName = 256;  // bytes
 
 /// What a thing is called.
 struct Called {
@@ -22,7 +22,7 @@ struct Called {
   std::string guess;  ///< of an area whose category nobody gave
 };
 
-std::vector<std::string> namesOf(const std::string& name, const agrid::Properties& properties) {
+std::vector<std::string> namesOf(const std::string& name, const Properties& properties) {
   std::vector<std::string> names = {name};
   const auto alias = properties.find("alias");
   if (alias == properties.end()) return names;
@@ -35,18 +35,18 @@ std::vector<std::string> namesOf(const std::string& name, const agrid::Propertie
   return names;
 }
 
-std::vector<Called> allThings(const agrid::SemanticMap& map, const LookupScope& scope) {
+std::vector<Called> allThings(const SemanticMap& map, const LookupScope& scope) {
   std::vector<Called> things;
-  for (const agrid::Area& area : map.area_map.areas) {
-    things.push_back({&area, namesOf(area.name, area.properties), area.category,
+  for (const Area& area : map.area_map.areas) {
+    things.push_back({&area, allNamesOf(&area), area.category,
                       area.category.empty() ? area.category_guess : std::string()});
   }
-  for (const agrid::ObjectTag& object : map.knowledge.objects) {
-    things.push_back({&object, namesOf(object.name, object.properties), object.category, {}});
+  for (const ObjectTag& object : map.knowledge.objects) {
+    things.push_back({&object, allNamesOf(&object), object.category, {}});
   }
   if (!scope.doors) return things;
-  for (const agrid::Door& door : map.area_map.doors) {
-    things.push_back({&door, namesOf(door.name, door.properties), {}, {}});
+  for (const Door& door : map.area_map.doors) {
+    things.push_back({&door, allNamesOf(&door), {}, {}});
   }
   return things;
 }
@@ -63,11 +63,8 @@ std::vector<Thing> select(const std::vector<Called>& things,
 std::string asWritten(const std::string& text) { return text; }
 
 void requireName(const std::string& word) {
-  if (!word.empty() && word.size() <= kLongestName && isPrintable(word)) return;
-  throw RequestError(agrid_map::Status::INVALID_REQUEST,
-                     "the name '" + printable(word.substr(0, 64)) + "' has " +
-                         std::to_string(word.size()) + " bytes, allowed are 1 to " +
-                         std::to_string(kLongestName) + " of UTF-8 without control characters");
+  const std::string problem = problemOfName(word);
+  if (!problem.empty()) throw LookupError(LookupErrorCode::kBadName, problem);
 }
 
 [[noreturn]] void throwUnknown(const std::vector<Called>& things, const std::string& word,
@@ -80,19 +77,34 @@ void requireName(const std::string& word) {
     if (scope.categories && !called.guess.empty()) known.push_back(called.guess);
   }
   const std::vector<std::string> closest = closestNames(word, known);
-  throw RequestError(agrid_map::Status::UNKNOWN_NAME,
-                     "there is no '" + word + "'" +
-                         (closest.empty() ? std::string("; nothing has a name yet")
-                                          : "; the closest names are: " + joined(closest)));
+  throw LookupError(LookupErrorCode::kUnknownName,
+                    "there is no '" + word + "'" +
+                        (closest.empty() ? std::string("; nothing has a name yet")
+                                         : "; the closest names are: " + joined(closest)));
 }
+
+struct Position {
+  Point2 operator()(const Area* area) const { return area->anchor_map; }
+  Point2 operator()(const Door* door) const { return door->jambs_map.midpoint(); }
+  Point2 operator()(const ObjectTag* object) const { return object->pose_map.position; }
+};
 
 }  // namespace
 
-FoundThings findThings(const agrid::SemanticMap& map, const std::string& word,
-                       const LookupScope& scope) {
+const std::string& nameOf(const Thing& thing) {
+  return std::visit([](const auto* held) -> const std::string& { return held->name; }, thing);
+}
+
+Point2 positionOf(const Thing& thing) { return std::visit(Position{}, thing); }
+
+std::vector<std::string> allNamesOf(const Thing& thing) {
+  return std::visit([](const auto* held) { return namesOf(held->name, held->properties); }, thing);
+}
+
+FoundThings findThings(const SemanticMap& map, const std::string& word, const LookupScope& scope) {
   requireName(word);
   const std::vector<Called> things = allThings(map, scope);
-  for (const auto form : {&asWritten, &lowerCase}) {
+  for (const auto form : {&asWritten, &foldCase}) {
     const std::string wanted = form(word);
     auto found = select(things, [&](const Called& called) {
       return std::any_of(called.names.begin(), called.names.end(),
@@ -104,12 +116,12 @@ FoundThings findThings(const agrid::SemanticMap& map, const std::string& word,
     if (!found.empty()) return {found, {}};
   }
   auto found = select(things, [&](const Called& called) {
-    const auto* area = std::get_if<const agrid::Area*>(&called.thing);
+    const auto* area = std::get_if<const Area*>(&called.thing);
     return area && std::to_string(static_cast<std::uint32_t>((*area)->id)) == word;
   });
   if (!found.empty()) return {found, {}};
   if (scope.categories) {
-    found = select(things, [&](const Called& called) { return called.guess == lowerCase(word); });
+    found = select(things, [&](const Called& called) { return called.guess == foldCase(word); });
   }
   if (found.empty()) throwUnknown(things, word, scope);
   return {found, "'" + printable(word) + "' is a guess from the shape: nothing was tagged so"};
@@ -119,4 +131,4 @@ std::string withRemark(const FoundThings& found, const std::string& message) {
   return found.remark + (found.remark.empty() || message.empty() ? "" : "; ") + message;
 }
 
-}  // namespace agrid_map_ros
+}  // namespace agrid
