@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "agrid/evaluation/scores.h"
-#include "evaluation/assignment.h"
+#include "areas/assignment.h"
 #include "evaluation/label_overlap.h"
 
 namespace agrid {

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "agrid/evaluation/scores.h"
-#include "evaluation/assignment.h"
+#include "areas/assignment.h"
 #include "evaluation/label_overlap.h"
 #include "evaluation/room_borders.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "evaluation/assignment.h"
+#include "areas/assignment.h"
 
 #include <algorithm>
 #include <limits>

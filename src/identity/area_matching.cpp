@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "identity/area_matching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "areas/assignment.h"
+#include "identity/outline_overlap.h"
+#include "identity/polygon_lookup.h"
+
+namespace agrid {
+namespace {
+
+std::string percent(double share) {
+  return std::to_string(static_cast<int>(std::lround(share * 100))) + " %";
+}
+
+double share(std::int64_t part, std::int64_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+/// A claim that may be an area, or the reason why it is none.
+struct Judgement {
+  std::size_t area = 0;
+  double likeness = 0;  ///< (0, 1]
+  std::string doubt;
+};
+
+class Matcher {
+ public:
+  Matcher(const std::vector<AreaClaim>& claims, const AreaMap& fresh, const MapGeometry& geometry,
+          const RecognitionParams& params)
+      : claims_(claims),
+        fresh_(fresh),
+        geometry_(geometry),
+        params_(params),
+        overlap_(placesOf(claims), geometry, fresh.pixel_labels, fresh.areas.size()) {}
+
+  AreaMatches match() const {
+    AreaMatches matches{std::vector<std::optional<std::size_t>>(fresh_.areas.size()),
+                        std::vector<std::optional<std::size_t>>(claims_.size()),
+                        std::vector<std::string>(claims_.size())};
+    std::vector<PairValue> candidates;
+    for (std::size_t c = 0; c < claims_.size(); ++c) {
+      const Judgement judged = claims_[c].tag.outline_map.empty() ? bySeed(c) : byOutline(c);
+      matches.doubt[c] = judged.doubt;
+      if (!judged.doubt.empty()) continue;
+      candidates.push_back({c, judged.area, judged.likeness + rankOf(claims_[c])});
+      matches.doubt[c] = "its place is known by another name";
+    }
+    for (const PairValue& pair : assignAtMostValue(candidates)) {
+      matches.claim_of_area[pair.column] = pair.row;
+      matches.area_of_claim[pair.row] = pair.column;
+      matches.doubt[pair.row].clear();
+    }
+    return matches;
+  }
+
+ private:
+  static std::vector<FormerPlace> placesOf(const std::vector<AreaClaim>& claims) {
+    std::vector<FormerPlace> places;
+    for (const AreaClaim& claim : claims) places.push_back({claim.tag.outline_map, claim.waits});
+    return places;
+  }
+
+  /// More than any likeness: of two claims to an area the one of higher rank has it.
+  static double rankOf(const AreaClaim& claim) {
+    const bool given = claim.tag.source != TagSource::kAutomatic;
+    return (given ? 4 : 0) + (claim.waits ? 0 : 2);
+  }
+
+  Judgement bySeed(std::size_t c) const {
+    const auto pixel = geometry_.pixelAt(claims_[c].tag.seed_map);
+    const std::size_t label = pixel ? fresh_.pixel_labels[geometry_.index(*pixel)] : 0;
+    if (label == 0) return {0, 0, "it lies in no area"};
+    return {label - 1, 1.0 / (2.0 + static_cast<double>(c)), ""};  // of several the first
+  }
+
+  Judgement byOutline(std::size_t c) const {
+    if (overlap_.visible[c] < params_.min_visible) return {0, 0, "its place is not on the map"};
+    const auto& common = overlap_.of_place[c];
+    if (common.empty()) return {0, 0, "there is no area at its place"};
+    const OutlineOverlap::Common best =
+        *std::max_element(common.begin(), common.end(),
+                          [](const auto& a, const auto& b) { return a.pixels < b.pixels; });
+    const std::int64_t smaller = std::min(overlap_.place_size[c], overlap_.area_size[best.area]);
+    if (share(best.pixels, smaller) < params_.min_containment) {
+      return {0, 0, "there is hardly an area at its place"};
+    }
+    const double of_claim = share(best.pixels, sizeWithout(c, best.area));
+    if (of_claim < params_.min_share) {
+      return {0, 0, "its place is divided, at most " + percent(of_claim) + " of it are one area"};
+    }
+    const auto& known = claims_[c].waits ? overlap_.ever_known : overlap_.known;
+    const double of_area = share(best.pixels, known[best.area]);
+    if (of_area < params_.min_share) {
+      return {
+          0, 0,
+          "its place is only a part of an area, " + percent(of_area) + " of what is known of it"};
+    }
+    return {best.area - 1, of_claim * of_area, ""};
+  }
+
+  /// The pixels of a claim in areas; if it waits, without the rooms that the area is a ring around:
+  /// they lie in its outline but were never its own.
+  std::int64_t sizeWithout(std::size_t c, std::size_t area) const {
+    std::int64_t size = 0;
+    const Polygon& outline = fresh_.areas[area - 1].outline_map;
+    for (const auto& [other, pixels] : overlap_.of_place[c]) {
+      const bool enclosed = claims_[c].waits && other != area &&
+                            contains(outline, fresh_.areas[other - 1].anchor_map);
+      if (!enclosed) size += pixels;
+    }
+    return size;
+  }
+
+  const std::vector<AreaClaim>& claims_;
+  const AreaMap& fresh_;
+  const MapGeometry& geometry_;
+  const RecognitionParams& params_;
+  OutlineOverlap overlap_;
+};
+
+}  // namespace
+
+AreaMatches matchAreas(const std::vector<AreaClaim>& claims, const AreaMap& fresh,
+                       const MapGeometry& geometry, const RecognitionParams& params) {
+  return Matcher(claims, fresh, geometry, params).match();
+}
+
+}  // namespace agrid
