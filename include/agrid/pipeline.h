@@ -32,4 +32,8 @@ Structure extractStructure(std::shared_ptr<const OccupancyMap> map, const Pipeli
 SemanticMap annotate(const Structure& structure, const Knowledge& known,
                      const PipelineParams& params, const StageListener& on_stage = {});
 
+/// The same as annotating the structure of `former` with other knowledge, bit for bit, at the cost
+/// of what that changes.
+SemanticMap retag(const SemanticMap& former, const Knowledge& known);
+
 }  // namespace agrid

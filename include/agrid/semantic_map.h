@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "agrid/areas/area_map.h"
+#include "agrid/areas/laid_tags.h"
 #include "agrid/grid/a_grid.h"
 #include "agrid/grid/wall_detection.h"
 #include "agrid/map/occupancy_map.h"
@@ -27,6 +28,9 @@ struct SemanticMap {
   Knowledge knowledge;  ///< a tag for each area and door, given or automatic; objects; what waits
   AreaMap area_map;
   TopologicalGraph graph;
+  // what the areas are made from, to lay other tags over it: see layTags
+  std::shared_ptr<const AutomaticAreas> automatic;
+  std::vector<AreaGroup> groups;
 
   const OccupancyMap& map() const { return *structure.map; }
   const AGrid& grid() const { return *structure.grid; }

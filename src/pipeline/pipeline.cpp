@@ -12,6 +12,14 @@ void tell(const StageListener& on_stage, const char* stage) {
   if (on_stage) on_stage(stage);
 }
 
+SemanticMap withTags(SemanticMap map, LaidTags laid) {
+  map.graph = buildGraph(laid.area_map);
+  map.area_map = std::move(laid.area_map);
+  map.knowledge = std::move(laid.knowledge);
+  map.groups = std::move(laid.groups);
+  return map;
+}
+
 }  // namespace
 
 Structure extractStructure(std::shared_ptr<const OccupancyMap> map, const PipelineParams& params,
@@ -26,14 +34,21 @@ Structure extractStructure(std::shared_ptr<const OccupancyMap> map, const Pipeli
 SemanticMap annotate(const Structure& structure, const Knowledge& known,
                      const PipelineParams& params, const StageListener& on_stage) {
   tell(on_stage, "areas");
-  std::vector<Tag> given(known.areas.begin(), known.areas.end());
-  given.insert(given.end(), known.doors.begin(), known.doors.end());
-  TaggedAreas areas = findAreas(*structure.map, *structure.grid, given, params.areas);
-  Knowledge knowledge = known;
-  for (const Tag& tag : areas.tags) apply(PutTag{tag}, knowledge);
+  SemanticMap map;
+  map.structure = structure;
+  map.automatic = findAutomaticAreas(*structure.map, *structure.grid, params.areas);
+  LaidTags laid = layTags(*structure.map, *structure.grid, *map.automatic, nullptr, known);
   tell(on_stage, "graph");
-  TopologicalGraph graph = buildGraph(areas.area_map);
-  return {structure, std::move(knowledge), std::move(areas.area_map), std::move(graph)};
+  return withTags(std::move(map), std::move(laid));
+}
+
+SemanticMap retag(const SemanticMap& former, const Knowledge& known) {
+  SemanticMap map;
+  map.structure = former.structure;
+  map.automatic = former.automatic;
+  const FormerTags before{former.area_map, former.groups};
+  return withTags(std::move(map),
+                  layTags(former.map(), former.grid(), *former.automatic, &before, known));
 }
 
 }  // namespace agrid

@@ -20,7 +20,7 @@ struct NextIds {
 /// A given tag that has no sure place on the map; it waits, nothing of it is lost.
 struct PendingTag {
   Tag tag;
-  std::string frame_id;  ///< in which its coordinates are
+  std::string frame_id;  ///< of its coordinates; empty: the same as of the tags that do not wait
   std::string reason;    ///< why it waits, a sentence for a person
 };
 
