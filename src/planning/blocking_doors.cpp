@@ -13,7 +13,7 @@ std::string explainNoRoute(const SemanticMap& map, const RadiusLevel& level,
   text << "free space does not connect start and goal for a radius of " << radius << " m";
   const char* separator = "; in the way: ";
   for (const Barrier& barrier :
-       level.barriers.of(map, level, obstacles).fewestBetween(start, goals)) {
+       level.barriers().of(map, level, obstacles).fewestBetween(start, goals)) {
     const Door& door = map.area_map.doors[barrier.door];
     const bool closed = door.state == DoorState::kClosed;
     text << separator << (closed ? "closed " : "") << (closed && barrier.too_narrow ? "and " : "")

@@ -110,7 +110,7 @@ Target areaTarget(const RadiusLevel& level, std::uint16_t label, const PixelBox&
   target.label = label;
   target.box = box;
   for (std::uint32_t region = 0; region < level.roadmap.regions().nodeCount(); ++region) {
-    if (level.roadmap.labelOf(region) == label) target.regions.push_back(region);
+    if (level.labelOf(region) == label) target.regions.push_back(region);
   }
   return target;
 }

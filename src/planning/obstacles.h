@@ -23,6 +23,8 @@ class Obstacles {
   bool blockedInMap(std::size_t pixel_index) const;
   /// The pixels that a door blocks when it is closed; some of them may be obstacles anyway.
   std::vector<std::size_t> pixelsOf(const Segment& jambs_map) const;
+  /// Whether the same pixels are blocked by closed doors.
+  bool closesLike(const Obstacles& other) const { return door_pixels_ == other.door_pixels_; }
   /// One byte a pixel, row-major, 1 = obstacle.
   std::vector<std::uint8_t> mask() const;
 

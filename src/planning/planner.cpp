@@ -94,6 +94,8 @@ PlannerParams ofCircle(const std::shared_ptr<const SemanticMap>& map, const Plan
 }  // namespace
 
 struct Planner::Impl {
+  Impl(const std::shared_ptr<const SemanticMap>& map, const Impl& former)
+      : params(former.params), core(map, ofCircle(map, former.params), former.core) {}
   Impl(const std::shared_ptr<const SemanticMap>& map, const PlannerParams& planner_params)
       : params(valid(planner_params)), core(map, ofCircle(map, planner_params)) {
     planning::silenceOmpl();
@@ -104,6 +106,9 @@ struct Planner::Impl {
 
 Planner::Planner(std::shared_ptr<const SemanticMap> map, const PlannerParams& params)
     : impl_(std::make_unique<Impl>(map, params)) {}
+
+Planner::Planner(std::shared_ptr<const SemanticMap> map, const Planner& former)
+    : impl_(std::make_unique<Impl>(map, *former.impl_)) {}
 
 Planner::~Planner() = default;
 

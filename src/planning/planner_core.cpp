@@ -18,7 +18,7 @@ namespace {
 /// A planner of OMPL that improves its paths may stop at so many times the length of ours.
 constexpr double kGoodEnough = 1.05;
 
-std::vector<PixelBox> areaBoxes(const SemanticMap& map) {
+std::shared_ptr<const std::vector<PixelBox>> areaBoxes(const SemanticMap& map) {
   const MapGeometry& geometry = map.map().geometry();
   std::vector<PixelBox> boxes(map.area_map.areas.size());
   std::size_t i = 0;
@@ -28,7 +28,7 @@ std::vector<PixelBox> areaBoxes(const SemanticMap& map) {
       if (label != 0) boxes[label - std::size_t{1}].add({x, y});
     }
   }
-  return boxes;
+  return std::make_shared<const std::vector<PixelBox>>(std::move(boxes));
 }
 
 const std::shared_ptr<const SemanticMap>& requireMap(
@@ -37,11 +37,23 @@ const std::shared_ptr<const SemanticMap>& requireMap(
   return map;
 }
 
-std::shared_ptr<const std::vector<std::int32_t>> distancesOf(const SemanticMap& map,
-                                                             const Obstacles& obstacles,
-                                                             Clearance clearance) {
-  return std::make_shared<const std::vector<std::int32_t>>(
-      obstacleDistances(map.map().geometry(), obstacles, clearance));
+std::unique_ptr<LevelCache> newLevels(const SemanticMap& map, const Obstacles& obstacles) {
+  const MapGeometry& geometry = map.map().geometry();
+  return std::make_unique<LevelCache>(
+      geometry, map.area_map.pixel_labels,
+      std::make_shared<const std::vector<std::int32_t>>(
+          obstacleDistances(geometry, obstacles, obstacles.clearance())));
+}
+
+bool haveSamePixels(const SemanticMap& a, const SemanticMap& b) {
+  return a.structure.map == b.structure.map || a.map().digest() == b.map().digest();
+}
+
+bool haveSameDoors(const std::vector<Door>& a, const std::vector<Door>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Door& x, const Door& y) {
+    return x.jambs_map.a == y.jambs_map.a && x.jambs_map.b == y.jambs_map.b &&
+           (x.state == DoorState::kClosed) == (y.state == DoorState::kClosed);
+  });
 }
 
 void requireFree(const FreeSpace& free, const std::vector<FinePoint>& path) {
@@ -63,14 +75,35 @@ PlannerCore::PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerPa
       obstacles_(*map_, params.allow_unknown, params.clearance),
       cells_(map_->map().geometry(), map_->grid()),
       area_boxes_(areaBoxes(*map_)),
-      levels_(*map_, distancesOf(*map_, obstacles_, params.clearance)) {
-  levels_.get(params.robot_radius, {});
+      levels_(newLevels(*map_, obstacles_)) {
+  levels_->get(params.robot_radius, {});
+}
+
+PlannerCore::PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerParams& params,
+                         const PlannerCore& former)
+    : map_(requireMap(map)),
+      obstacles_(*map_, params.allow_unknown, params.clearance),
+      cells_(map_->map().geometry(), map_->grid()) {
+  const AreaMap& areas = map_->area_map;
+  const AreaMap& former_areas = former.map_->area_map;
+  const bool same_areas = areas.pixel_labels.shares(former_areas.pixel_labels) &&
+                          areas.areas.size() == former_areas.areas.size();
+  area_boxes_ = same_areas ? former.area_boxes_ : areaBoxes(*map_);
+  levels_ = isSameSpace(former)
+                ? std::make_unique<LevelCache>(*former.levels_, areas.pixel_labels,
+                                               haveSameDoors(areas.doors, former_areas.doors))
+                : newLevels(*map_, obstacles_);
+  levels_->get(params.robot_radius, {});
+}
+
+bool PlannerCore::isSameSpace(const PlannerCore& former) const {
+  return haveSamePixels(*map_, *former.map_) && obstacles_.closesLike(former.obstacles_);
 }
 
 Task PlannerCore::taskOf(const PlanRequest& request, const Query& query,
                          const StopCheck& stop) const {
   Task task;
-  task.level = levels_.get(query.robot_radius, stop);
+  task.level = levels_->get(query.robot_radius, stop);
   const EndpointChoice starts =
       chooseEndpoints(*task.level, obstacles_, request.start.position_map, request.tolerance);
   const auto* area_goal = std::get_if<AreaGoal>(&request.goal);
@@ -113,7 +146,8 @@ Task PlannerCore::taskToPoint(Task task, const EndpointChoice& starts, const Poi
 Task PlannerCore::taskToArea(Task task, const EndpointChoice& starts, AreaId id) const {
   const std::size_t area = areaIndex(id);
   const std::string& name = map_->area_map.areas[area].name;
-  Target target = areaTarget(*task.level, static_cast<std::uint16_t>(area + 1), area_boxes_[area]);
+  Target target =
+      areaTarget(*task.level, static_cast<std::uint16_t>(area + 1), (*area_boxes_)[area]);
   if (target.regions.empty()) {
     throw Refusal{PlanStatus::kGoalInvalid,
                   "the robot's centre fits nowhere in the area '" + name + "'"};

@@ -7,6 +7,7 @@
 
 #include "planning/cell_lookup.h"
 #include "planning/endpoints.h"
+#include "planning/level_cache.h"
 #include "planning/obstacles.h"
 #include "planning/ompl/swept_robot.h"
 #include "planning/path_facts.h"
@@ -34,6 +35,9 @@ struct Refusal {
 class PlannerCore {
  public:
   PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerParams& params);
+  /// For another semantic map; what does not depend on what changed is shared with `former`.
+  PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerParams& params,
+              const PlannerCore& former);
 
   const SemanticMap& map() const { return *map_; }
 
@@ -64,6 +68,7 @@ class PlannerCore {
   Plan planOf(const Task& task, const PlanRequest& request, const Path& path) const;
 
  private:
+  bool isSameSpace(const PlannerCore& former) const;
   Task taskToPoint(Task task, const EndpointChoice& starts, const Point2& goal_map,
                    double tolerance) const;
   Task taskToArea(Task task, const EndpointChoice& starts, AreaId area) const;
@@ -72,8 +77,8 @@ class PlannerCore {
   std::shared_ptr<const SemanticMap> map_;
   Obstacles obstacles_;
   CellLookup cells_;
-  std::vector<PixelBox> area_boxes_;
-  mutable LevelCache levels_;
+  std::shared_ptr<const std::vector<PixelBox>> area_boxes_;
+  std::unique_ptr<LevelCache> levels_;
 };
 
 }  // namespace agrid::planning

@@ -95,7 +95,8 @@ float PortalSearch::restOf(std::uint32_t portal) const {
 }
 
 bool PortalSearch::endsIn(std::uint32_t region) const {
-  return goal_ == nullptr ? roadmap_.labelOf(region) == target_.label : region == goal_->region();
+  if (goal_ != nullptr) return region == goal_->region();
+  return std::binary_search(target_.regions.begin(), target_.regions.end(), region);
 }
 
 float PortalSearch::find(RoadEnd& start, float limit, const StopCheck& stop) {

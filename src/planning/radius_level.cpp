@@ -7,52 +7,106 @@
 namespace agrid::planning {
 namespace {
 
-/// Each takes 4 to 8 bytes a pixel.
-constexpr std::size_t kMaxLevels = 4;
+std::vector<std::uint16_t> labelsOf(const PortalGraph& regions, const PixelLabels& labels) {
+  std::vector<std::uint16_t> label_of(regions.nodeCount());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (regions.nodeAt(i) != kNoNode) label_of[regions.nodeAt(i)] = labels[i];
+  }
+  return label_of;
+}
+
+/// Calls `visit(pixel)` for the pixels at which labels differ.
+template <typename Visit>
+void forEachDifference(std::size_t width, const PixelLabels& a, const PixelLabels& b,
+                       const Visit& visit) {
+  const std::uint16_t* row_a = a.data();
+  const std::uint16_t* row_b = b.data();
+  for (std::size_t first = 0; first < a.size(); first += width) {
+    if (std::equal(row_a + first, row_a + first + width, row_b + first)) continue;
+    for (std::size_t i = first; i < first + width; ++i) {
+      if (row_a[i] != row_b[i]) visit(i);
+    }
+  }
+}
+
+/// Whether all pixels of a region have the same label.
+bool hasOneLabel(const MapGeometry& geometry, const PortalGraph& regions, std::uint32_t region,
+                 const PixelLabels& labels, std::uint16_t label) {
+  const PixelBox& box = regions.boxOf(region);
+  for (int y = box.low.y; y <= box.high.y; ++y) {
+    for (int x = box.low.x; x <= box.high.x; ++x) {
+      const std::size_t i = geometry.index({x, y});
+      if (regions.nodeAt(i) == region && labels[i] != label) return false;
+    }
+  }
+  return true;
+}
 
 }  // namespace
 
-RadiusLevel::RadiusLevel(const SemanticMap& map, const FreeSpace& free_space, const StopCheck& stop)
+RadiusRoads::RadiusRoads(const FreeSpace& free_space, const PixelLabels& labels,
+                         const StopCheck& stop)
     : free(free_space),
-      roadmap(free_space, map.area_map.pixel_labels, stop),
+      roadmap(free_space, labels, stop),
       path_landmarks(roadmap, Measure::kPath, stop),
-      least_landmarks(roadmap, Measure::kLeast, stop),
-      map_(map) {}
+      least_landmarks(roadmap, Measure::kLeast, stop) {}
 
-const PortalGraph& RadiusLevel::areas(const StopCheck& stop) const {
+const PortalGraph& AreaPieces::graph(const FreeSpace& free, const StopCheck& stop) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!areas_) {
-    const auto& labels = map_.area_map.pixel_labels;
+  if (!graph_) {
     const auto labels_of_row = [&](int y, std::vector<std::uint32_t>& row) {
       const std::size_t first = static_cast<std::size_t>(y) * row.size();
-      for (std::size_t x = 0; x < row.size(); ++x) row[x] = labels[first + x];
+      for (std::size_t x = 0; x < row.size(); ++x) row[x] = labels_[first + x];
     };
-    areas_ = std::make_unique<const PortalGraph>(free, labels_of_row, stop);
+    graph_ = std::make_unique<const PortalGraph>(free, labels_of_row, stop);
   }
-  return *areas_;
+  return *graph_;
 }
 
-std::shared_ptr<const RadiusLevel> LevelCache::find(double radius_px) {
-  const auto found = std::find_if(levels_.begin(), levels_.end(), [&](const auto& level) {
-    return level->free.radiusPx() == radius_px;
+RadiusLevel::RadiusLevel(std::shared_ptr<const RadiusRoads> prepared, PixelLabels labels)
+    : prepared_(std::move(prepared)),
+      free(prepared_->free),
+      roadmap(prepared_->roadmap),
+      path_landmarks(prepared_->path_landmarks),
+      least_landmarks(prepared_->least_landmarks),
+      label_of_(
+          std::make_shared<const std::vector<std::uint16_t>>(labelsOf(roadmap.regions(), labels))),
+      barriers_(std::make_shared<const Barriers>()),
+      pieces_(std::make_shared<const AreaPieces>(std::move(labels))) {}
+
+RadiusLevel::RadiusLevel(const RadiusLevel& former, PixelLabels labels,
+                         std::shared_ptr<const std::vector<std::uint16_t>> label_of,
+                         bool same_doors)
+    : prepared_(former.prepared_),
+      free(prepared_->free),
+      roadmap(prepared_->roadmap),
+      path_landmarks(prepared_->path_landmarks),
+      least_landmarks(prepared_->least_landmarks),
+      label_of_(std::move(label_of)),
+      barriers_(same_doors ? former.barriers_ : std::make_shared<const Barriers>()),
+      pieces_(former.labels().shares(labels)
+                  ? former.pieces_
+                  : std::make_shared<const AreaPieces>(std::move(labels))) {}
+
+std::shared_ptr<const std::vector<std::uint16_t>> RadiusLevel::labelsOfRegions(
+    const PixelLabels& labels) const {
+  if (labels.shares(this->labels())) return label_of_;
+  const PortalGraph& regions = roadmap.regions();
+  auto label_of = std::make_shared<std::vector<std::uint16_t>>(*label_of_);
+  std::vector<std::uint32_t> changed;
+  const auto width = static_cast<std::size_t>(free.geometry().width);
+  forEachDifference(width, this->labels(), labels, [&](std::size_t i) {
+    const std::uint32_t region = regions.nodeAt(i);
+    if (region == kNoNode || (!changed.empty() && changed.back() == region)) return;
+    changed.push_back(region);
+    (*label_of)[region] = labels[i];
   });
-  if (found == levels_.end()) return nullptr;
-  std::rotate(levels_.begin(), found, found + 1);
-  return levels_.front();
-}
-
-std::shared_ptr<const RadiusLevel> LevelCache::get(double robot_radius, const StopCheck& stop) {
-  const FreeSpace free(map_.map().geometry(), squared_distances_, robot_radius);
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (auto level = find(free.radiusPx())) return level;
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  for (const std::uint32_t region : changed) {
+    if (!hasOneLabel(free.geometry(), regions, region, labels, (*label_of)[region])) return nullptr;
   }
-  auto level = std::make_shared<const RadiusLevel>(map_, free, stop);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (auto other = find(free.radiusPx())) return other;
-  levels_.insert(levels_.begin(), level);
-  if (levels_.size() > kMaxLevels) levels_.pop_back();
-  return level;
+  return label_of;
 }
 
 }  // namespace agrid::planning

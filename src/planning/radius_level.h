@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "agrid/semantic_map.h"
@@ -15,46 +16,69 @@
 
 namespace agrid::planning {
 
-/// What is prepared once for a robot's radius.
-class RadiusLevel {
- public:
-  RadiusLevel(const SemanticMap& map, const FreeSpace& free_space, const StopCheck& stop);
+/// What is prepared once for a robot's radius. It depends on the metric map and the closed doors
+/// alone: the areas' labels decide where it is divided, never what is free.
+struct RadiusRoads {
+  /// @throws Stopped
+  RadiusRoads(const FreeSpace& free_space, const PixelLabels& labels, const StopCheck& stop);
 
   const FreeSpace free;
   const Roadmap roadmap;
   const Landmarks path_landmarks;
   const Landmarks least_landmarks;
-
-  /// What keeps its components apart.
-  const Barriers barriers;
-
-  /// First level: its classes are the labels of the areas. Made when it is first asked for.
-  const PortalGraph& areas(const StopCheck& stop) const;
-
- private:
-  const SemanticMap& map_;
-  mutable std::mutex mutex_;
-  mutable std::unique_ptr<const PortalGraph> areas_;
 };
 
-/// The levels of the last few radii.
-class LevelCache {
+/// The pieces that the areas have for a radius; made when they are first asked for.
+class AreaPieces {
  public:
-  LevelCache(const SemanticMap& map,
-             std::shared_ptr<const std::vector<std::int32_t>> squared_distances)
-      : map_(map), squared_distances_(std::move(squared_distances)) {}
-
-  /// Prepares a level outside of the lock, so that other radii are answered meanwhile.
-  /// @throws Stopped
-  std::shared_ptr<const RadiusLevel> get(double robot_radius, const StopCheck& stop);
+  explicit AreaPieces(PixelLabels labels) : labels_(std::move(labels)) {}
+  const PixelLabels& labels() const { return labels_; }
+  /// Its classes are the labels. @throws Stopped
+  const PortalGraph& graph(const FreeSpace& free, const StopCheck& stop) const;
 
  private:
-  std::shared_ptr<const RadiusLevel> find(double radius_px);
+  PixelLabels labels_;
+  mutable std::mutex mutex_;
+  mutable std::unique_ptr<const PortalGraph> graph_;
+};
 
-  const SemanticMap& map_;
-  std::shared_ptr<const std::vector<std::int32_t>> squared_distances_;
-  std::mutex mutex_;
-  std::vector<std::shared_ptr<const RadiusLevel>> levels_;  ///< last used first
+/// What is prepared for a radius, as the areas and doors of one semantic map divide it.
+class RadiusLevel {
+ public:
+  /// @param labels  those that the roads were prepared with
+  RadiusLevel(std::shared_ptr<const RadiusRoads> prepared, PixelLabels labels);
+  /// The same roads for a map with other areas or doors.
+  /// @param labels  each region has one, see labelsOfRegions
+  /// @param same_doors  as to their places and to which of them are closed
+  RadiusLevel(const RadiusLevel& former, PixelLabels labels,
+              std::shared_ptr<const std::vector<std::uint16_t>> label_of, bool same_doors);
+
+ private:
+  const std::shared_ptr<const RadiusRoads> prepared_;
+
+ public:
+  const FreeSpace& free;
+  const Roadmap& roadmap;
+  const Landmarks& path_landmarks;
+  const Landmarks& least_landmarks;
+
+  /// Label of the area that a region is a piece of.
+  std::uint16_t labelOf(std::uint32_t region) const { return (*label_of_)[region]; }
+  const PixelLabels& labels() const { return pieces_->labels(); }
+  /// The labels of all regions for another division into areas; none if a region has several.
+  std::shared_ptr<const std::vector<std::uint16_t>> labelsOfRegions(
+      const PixelLabels& labels) const;
+
+  /// What keeps its components apart.
+  const Barriers& barriers() const { return *barriers_; }
+
+  /// First level: its classes are the labels of the areas. Made when it is first asked for.
+  const PortalGraph& areas(const StopCheck& stop) const { return pieces_->graph(free, stop); }
+
+ private:
+  std::shared_ptr<const std::vector<std::uint16_t>> label_of_;
+  std::shared_ptr<const Barriers> barriers_;
+  std::shared_ptr<const AreaPieces> pieces_;
 };
 
 }  // namespace agrid::planning

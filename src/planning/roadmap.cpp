@@ -87,10 +87,6 @@ Roadmap::Roadmap(const FreeSpace& free, const std::vector<std::uint16_t>& pixel_
                  const std::vector<TurningPoint>& points, const StopCheck& stop)
     : regions_(regionsOf(free, pixel_labels, points, stop)) {
   rankPortals();
-  label_of_.resize(regions_.nodeCount());
-  for (std::size_t i = 0; i < pixel_labels.size(); ++i) {
-    if (regions_.nodeAt(i) != kNoNode) label_of_[regions_.nodeAt(i)] = pixel_labels[i];
-  }
   buildRoads(free, points, stop);
 }
 

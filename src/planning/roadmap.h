@@ -23,8 +23,6 @@ class Roadmap {
           const StopCheck& stop);
 
   const PortalGraph& regions() const { return regions_; }
-  /// Label of the area that a region is a piece of.
-  std::uint16_t labelOf(std::uint32_t region) const { return label_of_[region]; }
   const RegionRoads& roads(std::uint32_t region) const { return roads_[region]; }
   /// Which of a region's portals a portal is; `side` is the region's place in Portal::nodes.
   std::uint32_t rankOf(std::uint32_t portal, std::size_t side) const {
@@ -52,7 +50,6 @@ class Roadmap {
                   const StopCheck& stop);
 
   PortalGraph regions_;
-  std::vector<std::uint16_t> label_of_;
   std::vector<std::uint32_t> rank_;
   std::vector<RegionRoads> roads_;
 };

@@ -46,7 +46,7 @@ std::vector<Point2> detour(const PlannerCore& core, const TurningQuery& wanted,
 
 std::shared_ptr<const SweptRobot> PlannerCore::robot(double radius, const Polygon& footprint,
                                                      const StopCheck& stop) const {
-  const FreeSpace& free = levels_.get(radius, stop)->free;
+  const FreeSpace& free = levels_->get(radius, stop)->free;
   if (footprint.empty()) return std::make_shared<const SweptRobot>(free);
   return std::make_shared<const SweptRobot>(free, obstacles_, footprint);
 }

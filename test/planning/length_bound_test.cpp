@@ -86,16 +86,16 @@ TEST(LengthBound, NoWayToAnAreaIsShorter) {
     if (pixels.empty()) continue;
     const Pixel p = pixels[random() % pixels.size()];
     Target target;
-    target.label = s.roadmap().labelOf(s.regionAt(pixels[random() % pixels.size()]));
+    target.label = s.level->labelOf(s.regionAt(pixels[random() % pixels.size()]));
     std::vector<Pixel> goals;
     for (const Pixel q : pixels) {
-      if (s.roadmap().labelOf(s.regionAt(q)) != target.label) continue;
+      if (s.level->labelOf(s.regionAt(q)) != target.label) continue;
       target.box.add(q);
       goals.push_back(q);
     }
     for (std::uint32_t i = 0; i < s.regions().nodeCount(); ++i) {
       const bool is_reached = s.regions().componentOf(i) == s.regions().componentOf(s.regionAt(p));
-      if (is_reached && s.roadmap().labelOf(i) == target.label) target.regions.push_back(i);
+      if (is_reached && s.level->labelOf(i) == target.label) target.regions.push_back(i);
     }
     if (target.regions.empty()) continue;
     const test::BestLength best([&](Pixel q) { return s.free().isFree(q); }, s.geometry());

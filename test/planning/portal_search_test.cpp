@@ -105,20 +105,20 @@ std::optional<Question> randomQuestion(std::mt19937& random, const RoadSample& s
     question.target.box.add(q);
     return question;
   }
-  question.target.label = s.roadmap().labelOf(region);
+  question.target.label = s.level->labelOf(region);
   for (std::uint32_t i = 0; i < s.regions().nodeCount(); ++i) {
     const bool is_reached =
         s.regions().componentOf(i) == s.regions().componentOf(question.start->region());
-    if (is_reached && s.roadmap().labelOf(i) == question.target.label) {
+    if (is_reached && s.level->labelOf(i) == question.target.label) {
       question.target.regions.push_back(i);
     }
   }
   for (const Pixel pixel : pixels) {
-    if (s.roadmap().labelOf(s.regionAt(pixel)) == question.target.label) {
+    if (s.level->labelOf(s.regionAt(pixel)) == question.target.label) {
       question.target.box.add(pixel);
     }
   }
-  if (s.roadmap().labelOf(s.regionAt(p)) == question.target.label) return std::nullopt;
+  if (s.level->labelOf(s.regionAt(p)) == question.target.label) return std::nullopt;
   return question;
 }
 

@@ -87,8 +87,9 @@ inline RoadSample roadSample(Scene scene, const PlannerParams& params) {
                                  std::make_shared<const std::vector<std::int32_t>>(
                                      planning::obstacleDistances(g, obstacles, params.clearance)),
                                  params.robot_radius);
-  sample.level =
-      std::make_unique<const planning::RadiusLevel>(*sample.map, free, planning::StopCheck{});
+  const PixelLabels& labels = sample.map->area_map.pixel_labels;
+  sample.level = std::make_unique<const planning::RadiusLevel>(
+      std::make_shared<const planning::RadiusRoads>(free, labels, planning::StopCheck{}), labels);
   return sample;
 }
 

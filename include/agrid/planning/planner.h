@@ -126,6 +126,12 @@ class Planner {
   /// Prepares the parameters' radius; others are prepared when asked for, the last few are kept.
   /// @throws std::invalid_argument if a parameter is out of range or `map` is null
   Planner(std::shared_ptr<const SemanticMap> map, const PlannerParams& params);
+  /// The same parameters for an edited map. Where the metric map and the closed doors are those of
+  /// `former`, all that was prepared is shared, whatever areas, doors and objects are called; areas
+  /// that were joined take the pieces of the former ones. `former` may be used, and may end,
+  /// meanwhile.
+  /// @throws std::invalid_argument if `map` is null
+  Planner(std::shared_ptr<const SemanticMap> map, const Planner& former);
   ~Planner();
 
   Plan plan(const PlanRequest& request) const;
