@@ -72,10 +72,11 @@ class DoorLayer {
     if (!parted) return {door};
     const auto stretches = sides_.along(door.jambs_map, automatic_.area_map.pixel_labels, labels);
     std::vector<Door> doors;
+    if (stretches.size() > 1) door.cells.clear();
     for (const DoorStretch& stretch : stretches) {
       if (stretches.size() > 1 && stretch.jambs_map.length() < automatic_.min_border_length)
         continue;
-      door.jambs_map = stretch.jambs_map;
+      if (stretches.size() > 1) door.jambs_map = stretch.jambs_map;
       door.width = stretches.size() > 1 ? stretch.jambs_map.length() : automatic.width;
       door.areas = {idOf(stretch.labels[0]), idOf(stretch.labels[1])};
       doors.push_back(door);
@@ -190,7 +191,9 @@ std::vector<Door> layDoors(const OccupancyMap& map, const AGrid& grid,
     doors.insert(doors.end(), std::make_move_iterator(more->begin()),
                  std::make_move_iterator(more->end()));
   }
-  for (Door& door : doors) door.cells = cellsOnSegment(grid, door.jambs_map);
+  for (Door& door : doors) {
+    if (door.cells.empty()) door.cells = cellsOnSegment(grid, door.jambs_map);
+  }
   keepTags(doors, known);
   return doors;
 }

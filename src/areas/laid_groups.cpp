@@ -44,7 +44,7 @@ LaidGroups::LaidGroups(const OccupancyMap& map, const AutomaticAreas& automatic,
     LaidGroup laid;
     laid.group = group;
     const auto same = before.find(&group);
-    if (same != before.end() && partedAlike(**same, group)) {
+    if (!group.members.empty() && same != before.end() && partedAlike(**same, group)) {
       laid.former = *same;
       laid.group.jambs_map = laid.former->jambs_map;
       laid.seats.resize(laid.former->areas.size());

@@ -5,11 +5,11 @@
 #include <map>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "areas/area_groups.h"
 #include "areas/cell_labels.h"
+#include "areas/label_painter.h"
 #include "areas/laid_doors.h"
 #include "areas/laid_groups.h"
 
@@ -51,11 +51,10 @@ std::string whyNoSeat(const AreaTag& tag, const OccupancyMap& map) {
 
 /// Gives every part a tag, and puts those given tags that have no part aside.
 /// @return the tags of each group's parts
-std::vector<std::vector<AreaTag>> fillSeats(const LaidGroups& laid, const OccupancyMap& map,
-                                            Knowledge& known) {
+SeatedTags fillSeats(const LaidGroups& laid, const OccupancyMap& map, Knowledge& known) {
   std::set<AreaId> seated;
   DefaultNames names(known.areas);
-  std::vector<std::vector<AreaTag>> tags;
+  SeatedTags tags;
   for (const LaidGroup& group : laid.groups()) {
     tags.emplace_back();
     for (std::size_t part = 0; part < group.seats.size(); ++part) {
@@ -98,7 +97,7 @@ Area areaOf(const Area& shape, const AreaTag& tag) {
   return area;
 }
 
-std::vector<Area> describe(const LaidGroups& laid, const std::vector<std::vector<AreaTag>>& tags) {
+std::vector<Area> describe(const LaidGroups& laid, const SeatedTags& tags) {
   std::vector<Area> areas;
   for (std::size_t g = 0; g < tags.size(); ++g) {
     for (std::size_t part = 0; part < tags[g].size(); ++part) {
@@ -109,84 +108,7 @@ std::vector<Area> describe(const LaidGroups& laid, const std::vector<std::vector
   return areas;
 }
 
-/// Labels of the areas from labels of before.
-class Painter {
- public:
-  Painter(const MapGeometry& geometry, const AutomaticAreas& automatic,
-          const std::vector<Area>& areas)
-      : geometry_(geometry), automatic_(automatic) {
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-      label_of_.emplace(number(areas[i].id), static_cast<std::uint16_t>(i + 1));
-    }
-  }
-
-  /// The labels after all that changed is painted over; the same ones if nothing did.
-  PixelLabels paint(const LaidGroups& laid, const std::vector<std::vector<AreaTag>>& tags,
-                    const AreaMap* former) {
-    const AreaMap& base = former ? *former : automatic_.area_map;
-    std::vector<std::uint16_t> new_label(base.areas.size() + 1, 0);
-    bool painted = false;
-    for (std::size_t g = 0; g < tags.size(); ++g) {
-      const LaidGroup& group = laid.groups()[g];
-      painted = painted || group.parts || (former && group.isAutomatic());
-      if (group.parts || (former && group.isAutomatic())) continue;
-      for (std::size_t part = 0; part < tags[g].size(); ++part) {
-        const std::size_t label =
-            former ? indexOf(base, group.former->areas[part]) + 1 : group.group.members.front();
-        new_label[label] = label_of_.at(number(tags[g][part].id));
-      }
-    }
-    bool same = !painted;
-    for (std::size_t i = 0; i < new_label.size(); ++i) same = same && new_label[i] == i;
-    if (same) return base.pixel_labels;
-    std::vector<std::uint16_t> labels(base.pixel_labels.size());
-    std::transform(base.pixel_labels.begin(), base.pixel_labels.end(), labels.begin(),
-                   [&](std::uint16_t label) { return new_label[label]; });
-    for (std::size_t g = 0; g < tags.size(); ++g) {
-      const LaidGroup& group = laid.groups()[g];
-      if (group.parts) paintParts(*group.parts, tags[g], labels);
-      if (former && group.isAutomatic()) {
-        paintAutomatic(group.group.members.front(), tags[g].front(), labels);
-      }
-    }
-    return labels;
-  }
-
- private:
-  static std::size_t indexOf(const AreaMap& areas, AreaId id) {
-    const auto found = std::lower_bound(areas.areas.begin(), areas.areas.end(), id,
-                                        [](const Area& area, AreaId i) { return area.id < i; });
-    return static_cast<std::size_t>(found - areas.areas.begin());
-  }
-  void paintParts(const GroupParts& parts, const std::vector<AreaTag>& tags,
-                  std::vector<std::uint16_t>& labels) const {
-    for (int y = 0; y < parts.window.height; ++y) {
-      std::uint16_t* row = &labels[geometry_.index({parts.window.x, parts.window.y + y})];
-      for (int x = 0; x < parts.window.width; ++x) {
-        const int part = parts.part_of(y, x);
-        if (part != 0) row[x] = label_of_.at(number(tags[static_cast<std::size_t>(part - 1)].id));
-      }
-    }
-  }
-  void paintAutomatic(std::uint16_t automatic_label, const AreaTag& tag,
-                      std::vector<std::uint16_t>& labels) const {
-    const cv::Rect& box = automatic_.boxes[automatic_label - 1U];
-    const std::uint16_t label = label_of_.at(number(tag.id));
-    for (int y = box.y; y < box.br().y; ++y) {
-      for (int x = box.x; x < box.br().x; ++x) {
-        const std::size_t i = geometry_.index({x, y});
-        if (automatic_.area_map.pixel_labels[i] == automatic_label) labels[i] = label;
-      }
-    }
-  }
-
-  const MapGeometry& geometry_;
-  const AutomaticAreas& automatic_;
-  std::unordered_map<std::uint32_t, std::uint16_t> label_of_;
-};
-
-std::vector<AreaGroup> groupsWithAreas(const LaidGroups& laid,
-                                       const std::vector<std::vector<AreaTag>>& tags) {
+std::vector<AreaGroup> groupsWithAreas(const LaidGroups& laid, const SeatedTags& tags) {
   std::vector<AreaGroup> groups;
   for (std::size_t g = 0; g < tags.size(); ++g) {
     groups.push_back(laid.groups()[g].group);
@@ -194,6 +116,35 @@ std::vector<AreaGroup> groupsWithAreas(const LaidGroups& laid,
     for (const AreaTag& tag : tags[g]) groups.back().areas.push_back(tag.id);
   }
   return groups;
+}
+
+/// Boxes of pixels outside of which every pixel is in the same area as before.
+std::vector<cv::Rect> changedBoxes(const LaidGroups& laid, const SeatedTags& tags,
+                                   const OccupancyMap& map, const AutomaticAreas& automatic,
+                                   const FormerTags* former) {
+  std::vector<cv::Rect> boxes;
+  for (std::size_t g = 0; g < tags.size(); ++g) {
+    const LaidGroup& group = laid.groups()[g];
+    bool same = group.former != nullptr || (!former && group.isAutomatic());
+    for (std::size_t part = 0; same && part < tags[g].size(); ++part) {
+      same = tags[g][part].id == laid.shapeOf(group, part).id;
+    }
+    if (same) continue;
+    if (group.group.members.empty()) boxes.push_back(group.parts->window);
+    for (const std::uint16_t label : group.group.members) {
+      boxes.push_back(automatic.boxes[label - 1U]);
+    }
+  }
+  if (!former) return boxes;
+  for (const AreaGroup& group : former->groups) {
+    if (!group.members.empty()) continue;
+    const auto seed = map.geometry().pixelAt(group.seed_map);
+    for (const std::size_t i : islandAt(seed.value(), map, automatic.area_map.pixel_labels)) {
+      const Pixel p = map.geometry().pixel(i);
+      boxes.emplace_back(p.x, p.y, 1, 1);
+    }
+  }
+  return boxes;
 }
 
 }  // namespace
@@ -208,12 +159,14 @@ LaidTags layTags(const OccupancyMap& map, const AGrid& grid, const AutomaticArea
   AreaMap& area_map = result.area_map;
   area_map.warnings = automatic.area_map.warnings;
   area_map.areas = describe(laid, tags);
-  Painter painter(map.geometry(), automatic, area_map.areas);
-  area_map.pixel_labels = painter.paint(laid, tags, former ? &former->area_map : nullptr);
+  area_map.pixel_labels =
+      LabelPainter(map.geometry(), automatic, former, area_map.areas).paint(laid, tags);
   result.groups = groupsWithAreas(laid, tags);
   const LaidAreas areas{area_map.areas, area_map.pixel_labels, result.groups};
   area_map.doors = layDoors(map, grid, automatic, grouping, areas, known);
-  area_map.cell_areas = labelCells(grid, map.geometry(), area_map.pixel_labels, area_map.areas);
+  area_map.cell_areas = former ? former->area_map.cell_areas : automatic.area_map.cell_areas;
+  relabelCells(grid, map.geometry(), area_map.pixel_labels, area_map.areas,
+               changedBoxes(laid, tags, map, automatic, former), area_map.cell_areas);
   result.knowledge = std::move(known);
   return result;
 }
