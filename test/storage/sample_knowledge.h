@@ -22,7 +22,7 @@ inline AreaTag areaNamed(std::uint32_t id, const std::string& name) {
 inline std::vector<Change> putting(const Tag& tag, Knowledge& knowledge) {
   std::vector<Change> edit;
   edit.emplace_back(PutTag{tag});
-  apply(edit.front(), knowledge);
+  agrid::apply(edit.front(), knowledge);
   return edit;
 }
 
