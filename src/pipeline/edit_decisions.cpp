@@ -88,8 +88,10 @@ Subject findSubject(const AddTag& request, const EditScope& scope) {
 }
 
 void requireFinite(const Point2& position, double yaw) {
-  if (position.allFinite() && std::isfinite(yaw)) return;
-  refuse(EditErrorCode::kInvalid, "the pose must be finite");
+  constexpr double kGreatest = 1e9;  // sums and products stay exact enough to mean something
+  const auto is_fine = [](double value) { return std::abs(value) <= kGreatest; };  // not NaN
+  if (is_fine(position.x()) && is_fine(position.y()) && is_fine(yaw)) return;
+  refuse(EditErrorCode::kInvalid, "the pose must be finite and its numbers at most 1e9");
 }
 
 Pixel requireInside(const EditScope& scope, const Point2& point_map) {

@@ -17,13 +17,30 @@ Edit drop(const KnownTag& known, const std::string& message) {
   return edit;
 }
 
-/// What was said of an area is taken back; that there is an area was found by geometry, which will
-/// say whether it still holds.
+/// Whether an area is there only because someone said so.
+bool isSeeded(AreaId id, const EditScope& scope) {
+  const auto& groups = scope.map.groups;
+  return std::any_of(groups.begin(), groups.end(), [id](const AreaGroup& group) {
+    return group.members.empty() && std::count(group.areas.begin(), group.areas.end(), id) > 0;
+  });
+}
+
+/// Whether a door parts what was one automatic area.
+bool isSplit(DoorId id, const EditScope& scope) {
+  const auto& groups = scope.map.groups;
+  return std::any_of(groups.begin(), groups.end(), [id](const AreaGroup& group) {
+    return std::any_of(group.doors.begin(), group.doors.end(),
+                       [id](const GivenDoor& door) { return door.id == id; });
+  });
+}
+
+/// What was said of an area is taken back; that there is one was found by geometry.
 Edit takeBack(const AreaTag& known, const EditScope& scope) {
   if (known.source == TagSource::kAutomatic) {
     refuse(EditErrorCode::kUnknownName,
            "nobody said anything of " + called(known) + " that could be taken back");
   }
+  if (isSeeded(known.id, scope)) return drop({known}, "is forgotten; no other area is there");
   AreaTag tag;
   tag.id = known.id;
   tag.name = defaultName(scope.map, tag);
@@ -32,8 +49,8 @@ Edit takeBack(const AreaTag& known, const EditScope& scope) {
   Edit edit;
   edit.kind = TagKind::kArea;
   edit.id = idOf(tag);
-  edit.changes.emplace_back(PutTag{tag});
-  edit.message = called(known) + " is called " + tag.name + " now, if an area is left there";
+  edit.message = called(known) + " is called " + tag.name + " again";
+  edit.changes.emplace_back(PutTag{std::move(tag)});
   return edit;
 }
 
@@ -58,9 +75,8 @@ std::string whatMerges(const Door& door, const EditScope& scope) {
   return text;
 }
 
-/// There is no door any more, whoever found it.
-Edit makeAbsent(const DoorTag& known, const EditScope& scope) {
-  const Door* door = findDoor(scope.map, known.id);
+/// There is no door where one was found.
+Edit makeAbsent(const DoorTag& known, const Door& door, const EditScope& scope) {
   DoorTag tag;
   tag.id = known.id;
   tag.pose_map = known.pose_map;
@@ -70,8 +86,8 @@ Edit makeAbsent(const DoorTag& known, const EditScope& scope) {
   Edit edit;
   edit.kind = TagKind::kDoor;
   edit.id = idOf(tag);
-  edit.changes.emplace_back(PutTag{tag});
-  edit.message = called(known) + " is no door any more" + (door ? whatMerges(*door, scope) : "");
+  edit.message = called(known) + " is no door any more" + whatMerges(door, scope);
+  edit.changes.emplace_back(PutTag{std::move(tag)});
   return edit;
 }
 
@@ -91,8 +107,10 @@ Edit decideRemoval(const RemoveTag& request, const EditScope& scope) {
   if (request.kind == TagKind::kArea) return takeBack(std::get<AreaTag>(known->tag), scope);
   const auto& door = std::get<DoorTag>(known->tag);
   if (door.absent) refuseUnknown(request.kind, request.id);
-  if (!findDoor(scope.map, door.id)) return drop(*known, "is forgotten; it parted no areas");
-  return makeAbsent(door, scope);
+  const Door* on_map = findDoor(scope.map, door.id);
+  if (!on_map) return drop(*known, "is forgotten; it parted no areas");
+  if (isSplit(door.id, scope)) return drop(*known, "is forgotten" + whatMerges(*on_map, scope));
+  return makeAbsent(door, *on_map, scope);
 }
 
 Edit decideState(const SetDoor& request, const EditScope& scope) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double kUsualWidth = 0.7;    // narrower doors are meant no more often than this one [m]
 constexpr double kLeastWidth = 0.3;    // nobody goes through [m]
 constexpr double kThickestWall = 0.6;  // a longer way between two walls is a corridor [m]
-constexpr double kFacing = -0.94;      // two walls face each other within 20 degrees
+constexpr double kAlike = 0.95;        // directions within 18 degrees
 constexpr double kRim = 1.5;  // how much farther than the nearest wall the opposite one may be [px]
 
 /// Two wall pixels that face each other, in pixels of the window.
@@ -90,7 +90,7 @@ class GapSearch {
     }
     const Gap* best = nullptr;
     for (const Gap& gap : gaps_) {
-      if ((!best || gap.cost < best->cost - 1e-9) && isOpen(gap)) best = &gap;
+      if ((!best || gap.cost < best->cost - 1e-9) && leadsAsAsked(gap)) best = &gap;
     }
     if (!best) return std::nullopt;
     return centered(averaged(*best));
@@ -130,26 +130,37 @@ class GapSearch {
     return walls;
   }
 
+  /// The pairs of walls whose middle lies in a pixel and that no other wall is between.
   void addGapsAround(Pixel p) {
     const std::vector<Point2> walls = nearestWalls(p);
     for (std::size_t i = 0; i < walls.size(); ++i) {
       for (std::size_t j = i + 1; j < walls.size(); ++j) {
-        const double length = (walls[j] - walls[i]).norm();
-        if (walls[i].dot(walls[j]) > kFacing * walls[i].norm() * walls[j].norm()) continue;
-        Gap gap;
-        gap.along = (walls[j] - walls[i]) / length;
-        gap.middle = Point2(p.x + 0.5, p.y + 0.5) + (walls[i] + walls[j]) / 2;
-        gap.width = length - 1 / gap.along.cwiseAbs().maxCoeff();
-        const double distance = (gap.middle - near_).norm() * resolution_;
-        gap.cost = costOfPlace(gap.width * resolution_, distance);
-        if (distance <= query_.reach && isMeant(gap)) gaps_.push_back(gap);
+        const Point2 middle = (walls[i] + walls[j]) / 2;
+        if (middle.cwiseAbs().maxCoeff() > 0.5) continue;
+        const double squared = (walls[j] - walls[i]).squaredNorm() / 4 - 1e-9;
+        const bool is_clear = std::all_of(walls.begin(), walls.end(), [&](const Point2& wall) {
+          return (wall - middle).squaredNorm() >= squared;
+        });
+        if (is_clear) addGap(Point2(p.x + 0.5, p.y + 0.5) + middle, walls[j] - walls[i]);
       }
     }
   }
 
-  bool isMeant(const Gap& gap) const {
-    const double width = gap.width * resolution_;
-    if (width < kLeastWidth - 1e-9 || width > query_.max_width + 1e-9) return false;
+  void addGap(const Point2& middle, const Point2& way) {
+    Gap gap;
+    gap.middle = middle;
+    gap.along = way.normalized();
+    gap.width = way.norm() - 1 / gap.along.cwiseAbs().maxCoeff();
+    const double distance = (middle - near_).norm() * resolution_;
+    gap.cost = costOfPlace(gap.width * resolution_, distance);
+    if (distance <= query_.reach && fits(gap.width * resolution_)) gaps_.push_back(gap);
+  }
+
+  bool fits(double width) const {
+    return width >= kLeastWidth - 1e-9 && width <= query_.max_width + 1e-9;
+  }
+
+  bool leadsAsAsked(const Gap& gap) const {
     if (!query_.yaw) return true;
     const double asked = *query_.yaw - image_yaw_;
     const Point2 direction(std::cos(asked), std::sin(asked));
@@ -166,18 +177,17 @@ class GapSearch {
     return length;
   }
 
-  bool isOpen(const Gap& gap) const {
-    const double half = gap.width / 2 + kRim;
-    return run(gap.middle, gap.along, half) >= half - 2 * kRim &&
-           run(gap.middle, -gap.along, half) >= half - 2 * kRim;
-  }
-
-  /// Pixels make the direction of a single pair of them uncertain.
+  /// Pixels make the direction of a single pair of them uncertain: that of all the pairs in the
+  /// thickness of the wall is better.
   Gap averaged(Gap gap) const {
     Point2 along = Point2::Zero();
     for (const Gap& other : gaps_) {
-      if ((other.middle - gap.middle).norm() > kRim || other.width > gap.width + 1) continue;
-      along += other.along * (other.along.dot(gap.along) < 0 ? -1 : 1);
+      const Point2 offset = other.middle - gap.middle;
+      if (offset.norm() * resolution_ > kThickestWall / 2) continue;
+      const double cosine = other.along.dot(gap.along);
+      if (std::abs(cosine) < kAlike || other.width > gap.width + kRim) continue;
+      if (std::abs(offset.dot(gap.along)) > kRim) continue;
+      along += other.along * (cosine < 0 ? -1 : 1);
     }
     gap.along = along.normalized();
     return gap;
@@ -186,13 +196,13 @@ class GapSearch {
   /// How far a way between two walls goes on in a direction, at most as far as a wall is thick.
   double goesOn(const Gap& gap, const Point2& direction) const {
     const double limit = kThickestWall / resolution_;
-    const double half = gap.width / 2 + 2;
+    const double half = gap.width / 2 + 2 * kRim;
     double length = 0;
     for (; length <= limit; ++length) {
       const Point2 middle = gap.middle + direction * (length + 1);
       const double left = run(middle, gap.along, half);
       const double right = run(middle, -gap.along, half);
-      if (std::max(left, right) >= half || std::abs(left + right - gap.width) > 1) break;
+      if (std::max(left, right) >= half || std::abs(left + right - gap.width) > 2) break;
     }
     return length;
   }
@@ -203,7 +213,7 @@ class GapSearch {
     const double behind = goesOn(gap, through);
     const double limit = kThickestWall / resolution_;
     if (before <= limit && behind <= limit) gap.middle += through * ((behind - before) / 2);
-    const double half = gap.width / 2 + 2;
+    const double half = gap.width / 2 + 2 * kRim;
     const double left = run(gap.middle, gap.along, half);
     const double right = run(gap.middle, -gap.along, half);
     gap.middle += gap.along * ((left - right) / 2);
@@ -216,7 +226,7 @@ class GapSearch {
   Point2 near_;
   double resolution_;
   double image_yaw_;
-  std::vector<Gap> gaps_;
+  std::vector<Gap> gaps_;  ///< in any direction
 };
 
 }  // namespace

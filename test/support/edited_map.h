@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "agrid/pipeline.h"
 #include "agrid/pipeline/edit.h"
@@ -23,8 +25,8 @@ inline std::vector<std::string> fiveTimes(const std::vector<std::string>& rows) 
   return large;
 }
 
-/// Two rooms of 4 x 4.5 m beside each other with a door of 1 m between them, at (4.625, 2.5), a
-/// closet without a door, and unknown space to the right; at 5 cm.
+/// Two rooms of 4 x 4.5 m beside each other with a door of 1 m between them at (4.375, 2.5), and
+/// unknown space beyond x = 8.75; at 5 cm.
 inline std::vector<std::string> twoRoomsDrawing() {
   std::vector<std::string> rows(20, "#................#................#");
   for (std::size_t y = 8; y < 12; ++y) rows[y][17] = '.';
@@ -34,24 +36,13 @@ inline std::vector<std::string> twoRoomsDrawing() {
   return fiveTimes(rows);
 }
 
-inline SemanticMap annotated(const OccupancyGrid& grid, const Knowledge& known = {}) {
+inline SemanticMap annotated(const OccupancyGrid& grid) {
   const PipelineParams params;
   const auto structure = extractStructure(std::make_shared<const OccupancyMap>(grid), params);
-  SemanticMap map = annotate(structure, known, params);
-  for (const Door& door : map.area_map.doors) {  // every door has a tag
-    if (findTag(map.knowledge, door.id)) continue;
-    const Point2 along = door.jambs_map.b - door.jambs_map.a;
-    DoorTag tag;
-    tag.id = door.id;
-    tag.name = door.name;
-    tag.pose_map = {door.jambs_map.midpoint(), std::atan2(-along.x(), along.y())};
-    tag.width = door.width;
-    apply(PutTag{tag}, map.knowledge);
-  }
-  return map;
+  return annotate(structure, {}, params);
 }
 
-/// A map that is edited without being laid out again: what is known changes, its areas do not.
+/// A map to which edits are made.
 class EditedMap {
  public:
   explicit EditedMap(SemanticMap map) : map_(std::move(map)) {}
@@ -59,11 +50,13 @@ class EditedMap {
 
   Edit edit(const EditRequest& request, const EditParams& params = {}) {
     Edit edit = decide(request, map_, params);
-    for (const Change& change : edit.changes) apply(change, map_.knowledge);
+    Knowledge known = map_.knowledge;
+    for (const Change& change : edit.changes) apply(change, known);
+    if (edit.changed()) map_ = retag(map_, known);
     return edit;
   }
-  SemanticMap& map() { return map_; }
-  Knowledge& known() { return map_.knowledge; }
+  const SemanticMap& map() const { return map_; }
+  const Knowledge& known() const { return map_.knowledge; }
 
  private:
   SemanticMap map_;
@@ -90,6 +83,29 @@ inline AddTag objectAt(const Pose2& pose, const std::string& name = {}) {
   tag.name = name;
   tag.pose_map = pose;
   return {tag};
+}
+
+/// Expects that an edit is refused with this code and a text that holds `part`, and changes
+/// nothing.
+inline void expectRefused(EditErrorCode code, const std::string& part, const EditRequest& request,
+                          EditedMap& map, const EditParams& params = {}) {
+  const Knowledge before = map.known();
+  try {
+    map.edit(request, params);
+    ADD_FAILURE() << "accepted, expected: " << part;
+  } catch (const EditError& error) {
+    EXPECT_EQ(error.code(), code) << error.what();
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos)
+        << "'" << error.what() << "' does not tell '" << part << "'";
+  }
+  EXPECT_TRUE(difference(before, map.known()).empty());
+}
+
+/// Expects that a request changes nothing any more and is answered with this id.
+inline void expectKnown(std::uint32_t id, const EditRequest& request, EditedMap& map) {
+  const Edit again = map.edit(request);
+  EXPECT_FALSE(again.changed()) << again.message;
+  EXPECT_EQ(again.id, id);
 }
 
 }  // namespace agrid::test
