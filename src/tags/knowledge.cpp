@@ -57,14 +57,16 @@ auto placeOf(std::vector<PendingTag>& pending, TagKind kind, std::uint32_t id) {
                           [](const PendingTag& p, const auto& key) { return keyOf(p) < key; });
 }
 
+void dropPending(TagKind kind, std::uint32_t id, std::vector<PendingTag>& pending) {
+  const auto place = placeOf(pending, kind, id);
+  if (place != pending.end() && keyOf(*place) == std::make_pair(kind, id)) pending.erase(place);
+}
+
 void drop(TagKind kind, std::uint32_t id, Knowledge& knowledge) {
   if (kind == TagKind::kArea) dropFrom(knowledge.areas, id);
   if (kind == TagKind::kDoor) dropFrom(knowledge.doors, id);
   if (kind == TagKind::kObject) dropFrom(knowledge.objects, id);
-  const auto place = placeOf(knowledge.pending, kind, id);
-  if (place != knowledge.pending.end() && keyOf(*place) == std::make_pair(kind, id)) {
-    knowledge.pending.erase(place);
-  }
+  dropPending(kind, id, knowledge.pending);
 }
 
 void reserve(const NextIds& ids, NextIds& next) {
@@ -116,7 +118,7 @@ struct Applier {
   Knowledge& knowledge;
 
   void operator()(const PutTag& put) const {
-    drop(kindOf(put.tag), idOf(put.tag), knowledge);
+    dropPending(kindOf(put.tag), idOf(put.tag), knowledge.pending);
     std::visit([this](const auto& tag) { putIn(listOf(knowledge, tag), tag); }, put.tag);
     reserveBeyond(put.tag, knowledge.next_ids);
   }
