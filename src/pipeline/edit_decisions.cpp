@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <limits>
 
-#include "agrid/tags/name.h"
 #include "pipeline/edit_names.h"
 
 namespace agrid {
@@ -120,9 +119,7 @@ Properties merged(Properties known, const Properties& said) {
 }
 
 std::string newName(const Tag& known, const std::string& said, bool by_name) {
-  if (said.empty()) return nameOf(known);
-  const bool by_alias = by_name && foldCase(said) != foldCase(nameOf(known));
-  return by_alias ? nameOf(known) : said;
+  return said.empty() || by_name ? nameOf(known) : said;
 }
 
 Edit conclude(Decision decision, const std::optional<KnownTag>& known, TagSource source,

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kHeadStart = 0.3;   // a known door is meant rather than a place [m of cost]
 constexpr double kWidestCost = 1.5;  // wide borders are meant as well [m]
+constexpr double kSameDoor = 0.15;   // forced so near to a door a tag names it [m]
+constexpr double kUsualDoor = 0.9;   // where nobody says how wide a door is [m]
 constexpr double kWidestPlace = 10;  // wider places are not looked for [m]
 constexpr double kFartherReach = 3;  // how far a refusal looks for a passage to name [m]
 
@@ -33,11 +35,28 @@ void requireWidth(double width, const EditScope& scope) {
          "a door's width must lie in [0, " + inWords(diagonal) + "] m; 0: up to the walls");
 }
 
-double distanceFrom(const DoorTag& door, const Point2& point) {
-  const Point2 across(-std::sin(door.pose_map.yaw), std::cos(door.pose_map.yaw));
-  const Point2 offset = point - door.pose_map.position;
-  const double along = std::clamp(offset.dot(across), -door.width / 2, door.width / 2);
-  return (offset - across * along).norm();
+/// A door that is known, as far as it tells whether it is meant.
+struct KnownDoor {
+  const DoorTag* tag = nullptr;
+  double distance = 0;  ///< from the point asked for to the line between its jambs [m]
+  double cost = 0;      ///< see costOfPlace
+};
+
+double widthOf(const DoorTag& tag, const EditScope& scope) {
+  if (tag.width > 0) return tag.width;
+  const auto& doors = scope.map.area_map.doors;
+  const auto door =
+      std::find_if(doors.begin(), doors.end(), [&](const Door& d) { return d.id == tag.id; });
+  return door == doors.end() ? kUsualDoor : door->width;
+}
+
+KnownDoor asSeenFrom(const Point2& point, const DoorTag& tag, const EditScope& scope) {
+  const double width = widthOf(tag, scope);
+  const Point2 across(-std::sin(tag.pose_map.yaw), std::cos(tag.pose_map.yaw));
+  const Point2 offset = point - tag.pose_map.position;
+  const double along = std::clamp(offset.dot(across), -width / 2, width / 2);
+  const double distance = (offset - across * along).norm();
+  return {&tag, distance, costOfPlace(std::min(width, kWidestCost), distance) - kHeadStart};
 }
 
 std::optional<double> headingOf(const AddTag& request, const DoorTag& said) {
@@ -45,27 +64,20 @@ std::optional<double> headingOf(const AddTag& request, const DoorTag& said) {
   return said.pose_map.yaw;
 }
 
-/// What a door that is known costs to be the one that is meant, see costOfPlace.
-double costOfKnown(const DoorTag& door, const Point2& point) {
-  return costOfPlace(std::min(door.width, kWidestCost), distanceFrom(door, point)) - kHeadStart;
-}
-
 /// The known door, absent ones included, that costs least to be the one that is meant.
-const DoorTag* findKnownDoor(const AddTag& request, const DoorTag& said, const EditScope& scope) {
+std::optional<KnownDoor> findKnownDoor(const AddTag& request, const DoorTag& said,
+                                       const EditScope& scope) {
   const Point2& point = said.pose_map.position;
   const auto yaw = headingOf(request, said);
-  const DoorTag* best = nullptr;
-  double best_cost = std::numeric_limits<double>::infinity();
-  for (const DoorTag& door : scope.known().doors) {
-    const double reach = scope.params.door_snap_dist + door.width / 2;
-    const Point2 offset = door.pose_map.position - point;
-    if (std::abs(offset.x()) > reach || std::abs(offset.y()) > reach) continue;
-    if (distanceFrom(door, point) > scope.params.door_snap_dist) continue;
-    if (yaw && std::abs(std::cos(door.pose_map.yaw - *yaw)) < std::sqrt(0.5) - 1e-9) continue;
-    const double cost = costOfKnown(door, point);
-    if (cost >= best_cost) continue;
-    best = &door;
-    best_cost = cost;
+  std::optional<KnownDoor> best;
+  for (const DoorTag& tag : scope.known().doors) {
+    const double half = (tag.width > 0 ? tag.width : kWidestPlace) / 2;
+    const Point2 offset = tag.pose_map.position - point;
+    if (offset.cwiseAbs().maxCoeff() > scope.params.door_snap_dist + half) continue;
+    if (yaw && std::abs(std::cos(tag.pose_map.yaw - *yaw)) < std::sqrt(0.5) - 1e-9) continue;
+    const KnownDoor door = asSeenFrom(point, tag, scope);
+    if (door.distance > scope.params.door_snap_dist || (best && door.cost >= best->cost)) continue;
+    best = door;
   }
   return best;
 }
@@ -93,33 +105,43 @@ NarrowPlaceQuery queryFor(const AddTag& request, const DoorTag& said, const Edit
   refuse(EditErrorCode::kInvalid, why + "; force keeps the door where it was given");
 }
 
-DoorPlace asGiven(const DoorTag& said, const EditScope& scope) {
+/// Another door is the same if it is as near as what the areas are laid out with takes for it.
+bool isSameDoor(const DoorTag& door, const DoorTag& said, const EditScope& scope) {
+  const double reach = std::max(kSameDoor, 2 * scope.geometry().resolution);
+  return (door.pose_map.position - said.pose_map.position).norm() <= reach &&
+         std::abs(std::cos(door.pose_map.yaw - said.pose_map.yaw)) > std::sqrt(0.5);
+}
+
+/// Where a door is forced to be: on one that is there, or as it was given.
+DoorPlace asGiven(const AddTag& request, const DoorTag& said, const Subject& subject,
+                  const EditScope& scope) {
+  const bool moves = said.id != DoorId{0} || request.replace;
+  const DoorTag* self =
+      subject.known ? findTag(scope.known(), DoorId{idOf(subject.known->tag)}) : nullptr;
   for (const DoorTag& door : scope.known().doors) {
-    const bool same = (door.pose_map.position - said.pose_map.position).norm() < 1e-6 &&
-                      std::abs(std::cos(door.pose_map.yaw - said.pose_map.yaw)) > 1 - 1e-9;
-    if (same) return {door.pose_map, said.width > 0 ? said.width : door.width, &door, "as given"};
+    if ((moves && &door == self) || !isSameDoor(door, said, scope)) continue;
+    return {door.pose_map, said.width > 0 ? said.width : door.width, &door, "as given"};
   }
-  return {said.pose_map, said.width, nullptr, "as given"};
+  return {said.pose_map, said.width, moves ? self : nullptr, "as given"};
 }
 
 /// The door or the passage that is meant.
-DoorPlace findPlace(const AddTag& request, const DoorTag& said, const EditScope& scope) {
+DoorPlace findPlace(const AddTag& request, const DoorTag& said, const Subject& subject,
+                    const EditScope& scope) {
   const Point2& point = said.pose_map.position;
   const Occupancy there = scope.map.map().at(requireInside(scope, point));
   if (request.force) {
     if (there == Occupancy::kUnknown) {
       refuse(EditErrorCode::kOutside, inWords(point) + " lies in unknown space");
     }
-    return asGiven(said, scope);
+    return asGiven(request, said, subject, scope);
   }
-  const DoorTag* known = findKnownDoor(request, said, scope);
+  const auto known = findKnownDoor(request, said, scope);
   const NarrowPlaceQuery query = queryFor(request, said, scope);
   const auto place = findNarrowPlace(scope.map.map(), query);
-  if (known &&
-      (!place || costOfKnown(*known, point) <= costOfPlace(place->width, place->distance))) {
-    return {
-        known->pose_map, known->width, known,
-        "names the door " + inWords(distanceFrom(*known, point)) + " m from where it was given"};
+  if (known && (!place || known->cost <= costOfPlace(place->width, place->distance))) {
+    return {known->tag->pose_map, known->tag->width, known->tag,
+            "names the door " + inWords(known->distance) + " m from where it was given"};
   }
   if (place) {
     return {place->pose_map, place->width, nullptr,
@@ -208,7 +230,7 @@ Edit decideDoor(const AddTag& request, const DoorTag& given, const EditScope& sc
   if (request.placement == Placement::kUnchanged) return changeDoor(said, *subject.known, scope);
   requireFinite(said.pose_map.position,
                 request.placement == Placement::kAnyHeading ? 0 : said.pose_map.yaw);
-  const DoorPlace place = findPlace(request, said, scope);
+  const DoorPlace place = findPlace(request, said, subject, scope);
   const bool is_there =
       place.known &&
       (!subject.known || (!subject.known->pending &&

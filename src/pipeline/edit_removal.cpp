@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "areas/automatic_areas.h"
+#include "areas/door_places.h"
 #include "pipeline/edit_decisions.h"
 #include "pipeline/edit_names.h"
 
@@ -25,13 +28,12 @@ bool isSeeded(AreaId id, const EditScope& scope) {
   });
 }
 
-/// Whether a door parts what was one automatic area.
-bool isSplit(DoorId id, const EditScope& scope) {
-  const auto& groups = scope.map.groups;
-  return std::any_of(groups.begin(), groups.end(), [id](const AreaGroup& group) {
-    return std::any_of(group.doors.begin(), group.doors.end(),
-                       [id](const GivenDoor& door) { return door.id == id; });
-  });
+/// Whether geometry finds a door where this one is.
+bool isFound(const DoorTag& door, const EditScope& scope) {
+  if (door.source == TagSource::kAutomatic) return true;
+  if (!scope.map.automatic) return false;
+  const auto& found = scope.map.automatic->area_map.doors;
+  return doorsMeant({&door}, found, scope.geometry().resolution).front().has_value();
 }
 
 /// What was said of an area is taken back; that there is one was found by geometry.
@@ -76,7 +78,7 @@ std::string whatMerges(const Door& door, const EditScope& scope) {
 }
 
 /// There is no door where one was found.
-Edit makeAbsent(const DoorTag& known, const Door& door, const EditScope& scope) {
+Edit makeAbsent(const DoorTag& known, const std::string& merged) {
   DoorTag tag;
   tag.id = known.id;
   tag.pose_map = known.pose_map;
@@ -86,7 +88,7 @@ Edit makeAbsent(const DoorTag& known, const Door& door, const EditScope& scope) 
   Edit edit;
   edit.kind = TagKind::kDoor;
   edit.id = idOf(tag);
-  edit.message = called(known) + " is no door any more" + whatMerges(door, scope);
+  edit.message = called(known) + " is no door any more" + merged;
   edit.changes.emplace_back(PutTag{std::move(tag)});
   return edit;
 }
@@ -108,9 +110,9 @@ Edit decideRemoval(const RemoveTag& request, const EditScope& scope) {
   const auto& door = std::get<DoorTag>(known->tag);
   if (door.absent) refuseUnknown(request.kind, request.id);
   const Door* on_map = findDoor(scope.map, door.id);
-  if (!on_map) return drop(*known, "is forgotten; it parted no areas");
-  if (isSplit(door.id, scope)) return drop(*known, "is forgotten" + whatMerges(*on_map, scope));
-  return makeAbsent(door, *on_map, scope);
+  const std::string merged = on_map ? whatMerges(*on_map, scope) : std::string();
+  if (!isFound(door, scope)) return drop(*known, "is forgotten" + merged);
+  return makeAbsent(door, merged);
 }
 
 Edit decideState(const SetDoor& request, const EditScope& scope) {
