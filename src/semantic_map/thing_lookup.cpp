@@ -80,7 +80,8 @@ void requireName(const std::string& word) {
   throw LookupError(LookupErrorCode::kUnknownName,
                     "there is no '" + word + "'" +
                         (closest.empty() ? std::string("; nothing has a name yet")
-                                         : "; the closest names are: " + joined(closest)));
+                                         : "; the closest names are: " + joined(closest)),
+                    word, closest);
 }
 
 struct Position {

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -38,12 +39,21 @@ enum class LookupErrorCode {
 /// A word that means nothing; `what()` is for a person and lists the closest names.
 class LookupError : public std::runtime_error {
  public:
-  LookupError(LookupErrorCode code, const std::string& what)
-      : std::runtime_error(what), code_(code) {}
+  /// @param closest  up to three names, the nearest first
+  LookupError(LookupErrorCode code, const std::string& what, std::string word = {},
+              std::vector<std::string> closest = {})
+      : std::runtime_error(what),
+        code_(code),
+        word_(std::move(word)),
+        closest_(std::move(closest)) {}
   LookupErrorCode code() const { return code_; }
+  const std::string& word() const { return word_; }  ///< empty if it is a bad name
+  const std::vector<std::string>& closest() const { return closest_; }
 
  private:
   LookupErrorCode code_;
+  std::string word_;
+  std::vector<std::string> closest_;
 };
 
 /// The things meant by a word: those of that name or alias, as written or else whatever the case;
