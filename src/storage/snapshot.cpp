@@ -268,6 +268,11 @@ ReadSnapshot readSnapshot(const std::string& text, const std::string& path) {
       return reader.finish();
     }
   }
+  const std::size_t zero = text.find('\0');  // blocks that never reached the disk; no editor's work
+  if (zero != std::string::npos) {
+    throw StorageError(StorageErrorCode::kCorrupt,
+                       path + ": a zero byte at " + std::to_string(zero));
+  }
   SnapshotReader reader(path);
   readYaml(text, path, [&](const std::string& section, StoredNode&& node) {
     reader.take(section, std::move(node));
