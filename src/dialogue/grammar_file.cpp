@@ -41,16 +41,16 @@ class Filler {
     const auto entries = file_.entries(file_.root());
     std::vector<std::string> known;
     for (const auto& section : kSections) known.push_back(section.first);
-    for (const auto& [key, place] : entries) {
+    for (const auto& [key, place, value] : entries) {
       if (std::find(known.begin(), known.end(), key) == known.end()) {
         file_.refuse(place, nearest(key, known));
       }
     }
     for (const auto& [name, read] : kSections) {
       const auto entry = std::find_if(entries.begin(), entries.end(),
-                                      [&, &key = name](const auto& e) { return e.first == key; });
+                                      [&, &key = name](const auto& e) { return e.key == key; });
       if (entry == entries.end()) file_.refuse(file_.root(), "key '" + name + "' is missing");
-      (this->*read)(entry->second);
+      (this->*read)(entry->value);
     }
     return std::move(tables_);
   }
@@ -71,7 +71,7 @@ class Filler {
   }
 
   void readNumbers(const YamlPlace& place) {
-    for (const auto& [word, value] : file_.entries(place)) {
+    for (const auto& [word, word_place, value] : file_.entries(place)) {
       const auto number = numberIn(file_.text(value), {});
       if (!number) file_.refuse(value, "must be a number in [0, 1000]");
       tables_.numbers[foldCase(word)] = *number;
@@ -87,9 +87,9 @@ class Filler {
   void readKinds(const YamlPlace& place) {
     static const std::map<std::string, TagKind> kKinds = {
         {"area", TagKind::kArea}, {"door", TagKind::kDoor}, {"object", TagKind::kObject}};
-    for (const auto& [name, words] : file_.entries(place)) {
+    for (const auto& [name, name_place, words] : file_.entries(place)) {
       const auto kind = kKinds.find(name);
-      if (kind == kKinds.end()) file_.refuse(words, nearest(name, {"area", "door", "object"}));
+      if (kind == kKinds.end()) file_.refuse(name_place, nearest(name, {"area", "door", "object"}));
       for (const YamlText& word : file_.texts(words)) {
         tables_.kinds[utf8Of(folded(word))] = kind->second;
       }
@@ -97,9 +97,9 @@ class Filler {
   }
 
   void readLists(const YamlPlace& place) {
-    for (const auto& [name, phrases] : file_.entries(place)) {
+    for (const auto& [name, name_place, phrases] : file_.entries(place)) {
       for (const YamlText& phrase : file_.texts(phrases)) {
-        parsed(phrase, {});
+        parsed(phrase, nullptr);
         lists_[name].push_back(phrase.text);
       }
     }
@@ -108,10 +108,10 @@ class Filler {
   void readSentences(const YamlPlace& place) {
     std::vector<std::string> known;
     for (const Intent& intent : allIntents()) known.push_back(intent.key);
-    for (const auto& [key, patterns] : file_.entries(place)) {
+    for (const auto& [key, key_place, patterns] : file_.entries(place)) {
       const auto index = std::find(known.begin(), known.end(), key) - known.begin();
       if (static_cast<std::size_t>(index) == known.size()) {
-        file_.refuse(patterns, nearest(key, known));
+        file_.refuse(key_place, nearest(key, known));
       }
       const Intent& intent = allIntents()[static_cast<std::size_t>(index)];
       for (const YamlText& pattern : file_.texts(patterns)) readPattern(pattern, intent);
@@ -123,7 +123,7 @@ class Filler {
       file_.refuse(text.place,
                    "there are more than " + std::to_string(kMostPatterns) + " patterns");
     }
-    Pattern pattern = parsed(text, lists_);
+    Pattern pattern = parsed(text, &lists_);
     std::string known;
     for (const auto* names : {&intent.one_of, &intent.allowed}) {
       for (const std::string& name : *names) known += " {" + name + "}";
@@ -149,9 +149,10 @@ class Filler {
   void readAnswers(const YamlPlace& place) {
     std::vector<std::string> known;
     for (const AnswerKey& key : allAnswerKeys()) known.push_back(key.key);
-    for (const auto& [key, value] : file_.entries(place)) {
+    for (const auto& [key, key_place, value] : file_.entries(place)) {
       const auto index = std::find(known.begin(), known.end(), key) - known.begin();
-      if (static_cast<std::size_t>(index) == known.size()) file_.refuse(value, nearest(key, known));
+      if (static_cast<std::size_t>(index) == known.size())
+        file_.refuse(key_place, nearest(key, known));
       const std::string text = file_.text(value);
       const std::string problem =
           codePointsOf(text)
@@ -166,7 +167,7 @@ class Filler {
     if (!missing.empty()) file_.refuse(place, "missing: " + joined(missing));
   }
 
-  Pattern parsed(const YamlText& pattern, const WordLists& lists) const {
+  Pattern parsed(const YamlText& pattern, const WordLists* lists) const {
     try {
       return parsePattern(pattern.text, lists);
     } catch (const PatternError& error) {

@@ -128,13 +128,13 @@ std::size_t lettersIn(const std::u32string& text) {
 
 }  // namespace
 
-Pattern parsePattern(const std::string& text, const WordLists& lists) {
+Pattern parsePattern(const std::string& text, const WordLists* lists) {
   if (text.size() > kLongestPattern) {
     throw PatternError("longer than " + std::to_string(kLongestPattern) + " bytes");
   }
   auto characters = codePointsOf(text);
   if (!characters) throw PatternError("it is not UTF-8");
-  return Reader(*std::move(characters), &lists).all();
+  return Reader(*std::move(characters), lists).all();
 }
 
 SlotCount countSlots(const Pattern& pattern, const std::vector<std::string>& names) {

@@ -43,8 +43,9 @@ using WordLists = std::map<std::string, std::vector<std::string>>;
 
 /// Reads a pattern (doc/dialogue.md has its rules): (a|b) one of, [a|b] one of or none, <list> one
 /// of a list, {slot} any words, {slot:pattern} words that fit, * any words.
+/// @param lists  nullptr: the pattern is of a list itself and can't refer to another
 /// @throws PatternError
-Pattern parsePattern(const std::string& text, const WordLists& lists);
+Pattern parsePattern(const std::string& text, const WordLists* lists);
 
 /// Between how many and how many of some slots a sentence that fits has.
 struct SlotCount {

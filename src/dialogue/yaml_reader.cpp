@@ -2,6 +2,7 @@
 #include "dialogue/yaml_reader.h"
 
 #include <set>
+#include <utility>
 
 #include "agrid/map/map_io.h"
 #include "map/printable.h"
@@ -25,16 +26,16 @@ YamlReader::YamlReader(const std::string& text, std::string name) : name_(std::m
   if (!root_.node.IsMap()) refuse(root_, "not a mapping of keys to values");
 }
 
-std::vector<std::pair<std::string, YamlPlace>> YamlReader::entries(const YamlPlace& mapping) const {
+std::vector<YamlPair> YamlReader::entries(const YamlPlace& mapping) const {
   if (!mapping.node.IsMap()) refuse(mapping, "must be a mapping of keys to values");
-  std::vector<std::pair<std::string, YamlPlace>> entries;
+  std::vector<YamlPair> entries;
   std::set<std::string> keys;
   for (const auto& entry : mapping.node) {
     if (!entry.first.IsScalar()) refuse({entry.first, mapping.path}, "a key is not a text");
     const std::string& key = entry.first.Scalar();
     const std::string path = mapping.path + (mapping.path.empty() ? "" : "/") + key;
     if (!keys.insert(key).second) refuse({entry.first, path}, "is there twice");
-    entries.emplace_back(key, YamlPlace{entry.second, path});
+    entries.push_back({key, {entry.first, path}, {entry.second, path}});
   }
   return entries;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <yaml-cpp/yaml.h>
@@ -13,6 +12,13 @@ namespace agrid::dialogue {
 struct YamlPlace {
   YAML::Node node;
   std::string path;
+};
+
+/// A key of a mapping and what it leads to.
+struct YamlPair {
+  std::string key;
+  YamlPlace key_place;
+  YamlPlace value;
 };
 
 /// A text and where it stands.
@@ -29,8 +35,8 @@ class YamlReader {
 
   const YamlPlace& root() const { return root_; }
 
-  /// The keys of a mapping and what they lead to, in their order.
-  std::vector<std::pair<std::string, YamlPlace>> entries(const YamlPlace& mapping) const;
+  /// What is in a mapping, in its order; every key once.
+  std::vector<YamlPair> entries(const YamlPlace& mapping) const;
   /// A text, which is not empty.
   std::string text(const YamlPlace& scalar) const;
   /// A list of texts, or one alone.

@@ -13,7 +13,7 @@
 namespace agrid {
 namespace {
 
-constexpr int kSteps = 200;
+constexpr int kSteps = 100;
 
 /// A star-shaped polygon, a line or a point.
 Shape randomShape(std::mt19937& random) {
@@ -53,7 +53,7 @@ bool isInside(const Shape& shape, const Point2& point) {
 
 TEST(Shape, DistancesAreThoseOfAllPoints) {
   std::mt19937 random(5);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 150; ++i) {
     const Shape a = randomShape(random);
     const Shape b = randomShape(random);
     double least = 1e9;
@@ -62,7 +62,7 @@ TEST(Shape, DistancesAreThoseOfAllPoints) {
       for (const Point2& q : samplesOf(b)) least = std::min(least, (p - q).norm());
     }
     if (a.corners.size() > 2 && isInside(a, b.corners[0])) least = 0;
-    EXPECT_NEAR(distanceBetween(a, b), least, 0.05) << i;
+    EXPECT_NEAR(distanceBetween(a, b), least, 0.1) << i;
     EXPECT_LE(distanceBetween(a, b), least + 1e-12) << i;
     EXPECT_EQ(distanceBetween(a, b), distanceBetween(b, a)) << i;
     const double limited = distanceBetween(a, b, 1);
