@@ -25,7 +25,7 @@ namespace {
 constexpr int kRepetitions = 3;
 constexpr int kWarmUpPairs = 20;
 constexpr int kSeparatedPairs = 20;
-constexpr int kDoors = 3;
+constexpr std::size_t kDoors = 25;
 constexpr std::size_t kFewestCompared = 10;
 constexpr std::uint32_t kSeed = 7;
 
@@ -186,18 +186,35 @@ class Session {
     }
   }
 
-  /// Closes a door between two areas: whatever a user of the library has to do for it, until the
-  /// next query is answered with the door closed.
+  /// Closes doors between two areas and opens them again: whatever a user of the library has to do
+  /// for it, and the first plan from one side to the other.
   void switchDoors() {
-    for (std::size_t i = 0; i < map_->area_map.doors.size(); ++i) {
-      if (figures_.door_seconds.size() == kDoors) break;
-      auto changed = std::make_shared<SemanticMap>(*map_);
-      Door& door = changed->area_map.doors[i];
-      if (door.areas[0] == AreaId{0} || door.areas[1] == AreaId{0}) continue;
-      door.state = DoorState::kClosed;
-      figures_.door_seconds.push_back(
-          secondsOf([&] { planner_ = std::make_unique<Planner>(changed, params_); }));
+    SemanticMap now = *map_;
+    std::vector<std::size_t> doors;
+    for (std::size_t i = 0; i < now.area_map.doors.size(); ++i) {
+      const auto& sides = now.area_map.doors[i].areas;
+      if (sides[0] != AreaId{0} && sides[1] != AreaId{0}) doors.push_back(i);
     }
+    const std::size_t step = std::max<std::size_t>(1, doors.size() / kDoors);
+    for (std::size_t i = 0; i < doors.size(); i += step) {
+      for (const DoorState state : {DoorState::kClosed, DoorState::kOpen}) {
+        now.area_map.doors[doors[i]].state = state;
+        switchTo(std::make_shared<const SemanticMap>(now), now.area_map.doors[doors[i]]);
+      }
+    }
+  }
+
+  void switchTo(const std::shared_ptr<const SemanticMap>& map, const Door& door) {
+    figures_.door_seconds.push_back(
+        secondsOf([&] { planner_ = std::make_unique<Planner>(map, *planner_); }));
+    PlanRequest request;
+    request.start.position_map = findArea(*map, door.areas[0])->anchor_map;
+    PlanPoint goal;
+    goal.position_map = findArea(*map, door.areas[1])->anchor_map;
+    request.goal = goal;
+    request.tolerance = 1;
+    const double first = secondsOf([&] { planner_->plan(request); });
+    figures_.first_plan_seconds.push_back(first + figures_.door_seconds.back());
   }
 
   /// A* and reference lengths on pairs in random order until the time is over.

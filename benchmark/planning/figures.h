@@ -32,8 +32,9 @@ struct Figures {
   std::vector<double> a_star_seconds;          ///< on some of the pairs
   std::vector<double> compared_query_seconds;  ///< the planner's, on the same
   double build_seconds = 0;
-  double bytes = 0;  ///< kept by the planner after all queries
-  std::vector<double> door_seconds;
+  double bytes = 0;                        ///< kept by the planner after all queries
+  std::vector<double> door_seconds;        ///< a door closed or opened, until the planner is ready
+  std::vector<double> first_plan_seconds;  ///< the same until the first path past the door
 };
 
 /// Measures one map. Every answer is checked against a flood fill, every path against the pixels.

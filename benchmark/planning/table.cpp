@@ -90,8 +90,14 @@ const Column kColumns[] = {
      [](const Figures& f) { return number(1e3 * median(f.no_path_seconds)); }},
     {"no_path_ms_max", "proved 'no path' max [ms]",
      [](const Figures& f) { return number(1e3 * largest(f.no_path_seconds)); }},
-    {"door_ms_median", "a door closed [ms]",
+    {"door_ms_median", "a door closed or opened, median [ms]",
      [](const Figures& f) { return number(1e3 * median(f.door_seconds)); }},
+    {"door_ms_max", "a door closed or opened, max [ms]",
+     [](const Figures& f) { return number(1e3 * largest(f.door_seconds)); }},
+    {"door_plan_ms_median", "... and the first plan past it, median [ms]",
+     [](const Figures& f) { return number(1e3 * median(f.first_plan_seconds)); }},
+    {"door_plan_ms_max", "... and the first plan past it, max [ms]",
+     [](const Figures& f) { return number(1e3 * largest(f.first_plan_seconds)); }},
 };
 
 }  // namespace

@@ -20,13 +20,6 @@ std::array<Pixel, 4> neighbours(Pixel p) {
   return {{{p.x + 1, p.y}, {p.x - 1, p.y}, {p.x, p.y + 1}, {p.x, p.y - 1}}};
 }
 
-PixelBox widened(PixelBox box, int px, const MapGeometry& geometry) {
-  box.low = {std::max(box.low.x - px, 0), std::max(box.low.y - px, 0)};
-  box.high = {std::min(box.high.x + px, geometry.width - 1),
-              std::min(box.high.y + px, geometry.height - 1)};
-  return box;
-}
-
 bool holds(const PixelBox& box, Pixel p) {
   return p.x >= box.low.x && p.y >= box.low.y && p.x <= box.high.x && p.y <= box.high.y;
 }
@@ -103,7 +96,7 @@ std::vector<bool> DoorSurroundings::freedBy(std::size_t door, const PixelBox& bo
   const FreeSpace& free = level_.free;
   const MapGeometry& geometry = free.geometry();
   // What is not free because of a pixel is no farther from it than this.
-  const PixelBox around = widened(box, static_cast<int>(free.radiusPx()) + 3, geometry);
+  const PixelBox around = clippedTo(geometry, widened(box, static_cast<int>(free.radiusPx()) + 3));
   MapGeometry local = geometry;
   local.width = static_cast<int>(around.columns());
   local.height = static_cast<int>(around.rows());
@@ -130,7 +123,7 @@ std::vector<std::vector<std::uint32_t>> DoorSurroundings::joinedWhenOpen(std::si
     }
   }
   if (box.high.x < 0) return {};
-  box = widened(box, static_cast<int>(level_.free.radiusPx()) + 3, geometry);
+  box = clippedTo(geometry, widened(box, static_cast<int>(level_.free.radiusPx()) + 3));
   std::vector<bool> freed = freedBy(door, box);
   std::vector<std::set<std::uint32_t>> joined;
   forEachPixel(box, [&](Pixel first) {

@@ -10,12 +10,21 @@
 
 namespace agrid::planning {
 FreeSpace::FreeSpace(const MapGeometry& geometry,
-                     std::shared_ptr<const std::vector<std::int32_t>> squared_distances,
-                     double robot_radius)
-    : geometry_(geometry), squared_distances_(std::move(squared_distances)) {
+                     std::shared_ptr<const SquaredDistances> squared_distances, double robot_radius)
+    : geometry_(geometry),
+      squared_distances_(std::move(squared_distances)),
+      pages_(squared_distances_->pages()) {
   radius_px_ = std::round(robot_radius / geometry.resolution * 1e6) / 1e6;
   limit_ = static_cast<std::int32_t>(
       std::min(std::floor(radius_px_ * radius_px_), static_cast<double>(kFarSquared)));
+}
+
+FreeSpace FreeSpace::withDistances(
+    std::shared_ptr<const SquaredDistances> squared_distances) const {
+  FreeSpace other = *this;
+  other.squared_distances_ = std::move(squared_distances);
+  other.pages_ = other.squared_distances_->pages();
+  return other;
 }
 
 FreeSpace FreeSpace::narrowedLess(double px) const {

@@ -7,11 +7,15 @@
 
 #include "agrid/map/map_geometry.h"
 #include "planning/fine_point.h"
+#include "planning/paged_array.h"
 
 namespace agrid::planning {
 
 /// A touched pixel's centre lies at most sqrt(2)/2 from a segment: at both ends of a jump along it.
 constexpr double kTwoHalfDiagonals = 1.4143;
+
+/// Of every pixel to the obstacles [px^2], row-major.
+using SquaredDistances = PagedArray<std::int32_t, 10>;
 
 /// Where a robot's centre may be: the one predicate of the search, of OMPL's validity checker and
 /// of the tests. A pixel is free if its squared distance to the obstacles is greater than the
@@ -19,14 +23,15 @@ constexpr double kTwoHalfDiagonals = 1.4143;
 /// a float32) and it does not lie on the map's outermost ring.
 class FreeSpace {
  public:
-  /// @param squared_distances  of every pixel to the obstacles [px^2], see obstacleDistances
+  /// @param squared_distances  see obstacleDistances
   /// @param robot_radius  [m]
-  FreeSpace(const MapGeometry& geometry,
-            std::shared_ptr<const std::vector<std::int32_t>> squared_distances,
+  FreeSpace(const MapGeometry& geometry, std::shared_ptr<const SquaredDistances> squared_distances,
             double robot_radius);
 
   const MapGeometry& geometry() const { return geometry_; }
   double radiusPx() const { return radius_px_; }
+  /// The same radius with other obstacles.
+  FreeSpace withDistances(std::shared_ptr<const SquaredDistances> squared_distances) const;
   /// The same for a radius that is smaller by `px`; all but the ring is free where none is left.
   FreeSpace narrowedLess(double px) const;
 
@@ -38,7 +43,9 @@ class FreeSpace {
   /// Whether a squared distance to the obstacles suffices [px^2].
   bool isFarEnough(std::int32_t squared_distance) const { return squared_distance > limit_; }
   /// Of a pixel that the map contains [px^2].
-  std::int32_t squaredDistance(Pixel p) const { return (*squared_distances_)[geometry_.index(p)]; }
+  std::int32_t squaredDistance(Pixel p) const {
+    return SquaredDistances::at(pages_, geometry_.index(p));
+  }
 
   /// Whether every pixel whose closed square the segment touches is free. Exact: decided in
   /// integers, and pixels are passed over only where the distances prove them free. Free pixels are
@@ -47,7 +54,8 @@ class FreeSpace {
 
  private:
   MapGeometry geometry_;
-  std::shared_ptr<const std::vector<std::int32_t>> squared_distances_;
+  std::shared_ptr<const SquaredDistances> squared_distances_;
+  const std::int32_t* const* pages_;  ///< of squared_distances_
   double radius_px_ = 0;
   std::int32_t limit_ = 0;  ///< free if the squared distance is greater
 };

@@ -16,15 +16,22 @@ namespace agrid::planning {
 class Landmarks {
  public:
   static constexpr std::size_t kCount = 16;
-  using Lengths = std::array<float, kCount>;
+  struct Lengths {
+    std::array<float, kCount> to{};
+    float slack = 0;  ///< the lengths are right within it
+  };
 
   /// @throws Stopped
   Landmarks(const Roadmap& roadmap, Measure measure, const StopCheck& stop);
+  /// For a roadmap that was patched: its ways are no shorter than those of `base_roadmap`, in which
+  /// the landmarks were chosen.
+  Landmarks(const Landmarks& former, const Landmarks& base, const Roadmap& base_roadmap,
+            const FreeSpace& free, const Roadmap& roadmap);
 
   const Lengths& of(std::uint32_t portal) const { return lengths_[portal]; }
 
  private:
-  std::vector<Lengths> lengths_;  ///< of the portals
+  PagedArray<Lengths, 4> lengths_;  ///< of the portals
 };
 
 }  // namespace agrid::planning

@@ -62,9 +62,13 @@ Obstacles::Obstacles(const SemanticMap& map, bool allow_unknown, Clearance clear
     : map_(&map.map()), allow_unknown_(allow_unknown), clearance_(clearance) {
   for (const Door& door : map.area_map.doors) {
     if (door.state != DoorState::kClosed) continue;
-    const std::vector<std::size_t> pixels = pixelsOf(door.jambs_map);
+    std::vector<std::size_t> pixels = pixelsOf(door.jambs_map);
     door_pixels_.insert(door_pixels_.end(), pixels.begin(), pixels.end());
+    std::sort(pixels.begin(), pixels.end());
+    if (!pixels.empty()) closed_doors_.push_back(std::move(pixels));
   }
+  std::sort(closed_doors_.begin(), closed_doors_.end());
+  closed_doors_.erase(std::unique(closed_doors_.begin(), closed_doors_.end()), closed_doors_.end());
   std::sort(door_pixels_.begin(), door_pixels_.end());
   door_pixels_.erase(std::unique(door_pixels_.begin(), door_pixels_.end()), door_pixels_.end());
 }
@@ -106,9 +110,14 @@ std::vector<std::size_t> Obstacles::pixelsOf(const Segment& jambs_map) const {
   return pixels;
 }
 
-std::vector<std::uint8_t> Obstacles::mask() const {
+std::vector<std::uint8_t> Obstacles::openMask() const {
   std::vector<std::uint8_t> mask(map_->pixels().size());
   for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = blockedInMap(i) ? 1 : 0;
+  return mask;
+}
+
+std::vector<std::uint8_t> Obstacles::mask() const {
+  std::vector<std::uint8_t> mask = openMask();
   for (const std::size_t i : door_pixels_) mask[i] = 1;
   return mask;
 }

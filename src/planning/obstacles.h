@@ -23,15 +23,18 @@ class Obstacles {
   bool blockedInMap(std::size_t pixel_index) const;
   /// The pixels that a door blocks when it is closed; some of them may be obstacles anyway.
   std::vector<std::size_t> pixelsOf(const Segment& jambs_map) const;
-  /// Whether the same pixels are blocked by closed doors.
-  bool closesLike(const Obstacles& other) const { return door_pixels_ == other.door_pixels_; }
+  /// The pixels of each closed door, sorted; the doors sorted, too, each once.
+  const std::vector<std::vector<std::size_t>>& closedDoors() const { return closed_doors_; }
   /// One byte a pixel, row-major, 1 = obstacle.
   std::vector<std::uint8_t> mask() const;
+  /// The same with all doors open.
+  std::vector<std::uint8_t> openMask() const;
 
  private:
   const OccupancyMap* map_;
   bool allow_unknown_;
   Clearance clearance_;
+  std::vector<std::vector<std::size_t>> closed_doors_;
   std::vector<std::size_t> door_pixels_;  // those of closed doors that are free in the map, sorted
 };
 

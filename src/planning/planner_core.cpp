@@ -38,11 +38,7 @@ const std::shared_ptr<const SemanticMap>& requireMap(
 }
 
 std::unique_ptr<LevelCache> newLevels(const SemanticMap& map, const Obstacles& obstacles) {
-  const MapGeometry& geometry = map.map().geometry();
-  return std::make_unique<LevelCache>(
-      geometry, map.area_map.pixel_labels,
-      std::make_shared<const std::vector<std::int32_t>>(
-          obstacleDistances(geometry, obstacles, obstacles.clearance())));
+  return std::make_unique<LevelCache>(map.map().geometry(), map.area_map.pixel_labels, obstacles);
 }
 
 bool haveSamePixels(const SemanticMap& a, const SemanticMap& b) {
@@ -89,15 +85,11 @@ PlannerCore::PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerPa
   const bool same_areas = areas.pixel_labels.shares(former_areas.pixel_labels) &&
                           areas.areas.size() == former_areas.areas.size();
   area_boxes_ = same_areas ? former.area_boxes_ : areaBoxes(*map_);
-  levels_ = isSameSpace(former)
-                ? std::make_unique<LevelCache>(*former.levels_, areas.pixel_labels,
+  levels_ = haveSamePixels(*map_, *former.map_)
+                ? std::make_unique<LevelCache>(*former.levels_, areas.pixel_labels, obstacles_,
                                                haveSameDoors(areas.doors, former_areas.doors))
                 : newLevels(*map_, obstacles_);
   levels_->get(params.robot_radius, {});
-}
-
-bool PlannerCore::isSameSpace(const PlannerCore& former) const {
-  return haveSamePixels(*map_, *former.map_) && obstacles_.closesLike(former.obstacles_);
 }
 
 Task PlannerCore::taskOf(const PlanRequest& request, const Query& query,

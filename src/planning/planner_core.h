@@ -41,6 +41,12 @@ class PlannerCore {
 
   const SemanticMap& map() const { return *map_; }
 
+  /// What is prepared for the query's radius.
+  /// @throws Stopped
+  std::shared_ptr<const RadiusLevel> level(const Query& query, const StopCheck& stop) const {
+    return levels_->get(query.robot_radius, stop);
+  }
+
   /// The component check: places start and goal, and proves that they are connected.
   /// @throws Refusal, Stopped
   Task taskOf(const PlanRequest& request, const Query& query, const StopCheck& stop) const;
@@ -68,7 +74,6 @@ class PlannerCore {
   Plan planOf(const Task& task, const PlanRequest& request, const Path& path) const;
 
  private:
-  bool isSameSpace(const PlannerCore& former) const;
   Task taskToPoint(Task task, const EndpointChoice& starts, const Point2& goal_map,
                    double tolerance) const;
   Task taskToArea(Task task, const EndpointChoice& starts, AreaId area) const;

@@ -36,6 +36,25 @@ double Portal::distanceToBorder(const Portal& other) const {
                     gap(border.low.y, border.high.y, other.border.low.y, other.border.high.y));
 }
 
+PixelBox widened(const PixelBox& box, int px) {
+  return {{box.low.x - px, box.low.y - px}, {box.high.x + px, box.high.y + px}};
+}
+
+PixelBox clippedTo(const MapGeometry& geometry, const PixelBox& box) {
+  return common(box, {{0, 0}, {geometry.width - 1, geometry.height - 1}});
+}
+
+PixelBox merged(const PixelBox& a, const PixelBox& b) {
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+
+PixelBox common(const PixelBox& a, const PixelBox& b) {
+  if (!overlap(a, b)) return {};
+  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
+}
+
 void PixelBox::add(Pixel p) {
   low = {std::min(low.x, p.x), std::min(low.y, p.y)};
   high = {std::max(high.x, p.x), std::max(high.y, p.y)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "agrid/map/map_geometry.h"
@@ -20,6 +21,15 @@ struct PixelBox {
   std::size_t columns() const { return static_cast<std::size_t>(high.x - low.x + 1); }
   std::size_t rows() const { return static_cast<std::size_t>(high.y - low.y + 1); }
 };
+
+PixelBox widened(const PixelBox& box, int px);
+PixelBox clippedTo(const MapGeometry& geometry, const PixelBox& box);
+PixelBox merged(const PixelBox& a, const PixelBox& b);
+/// What lies in both; PixelBox{} if nothing does.
+PixelBox common(const PixelBox& a, const PixelBox& b);
+inline bool overlap(const PixelBox& a, const PixelBox& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
 
 /// A run of pixel pairs (side by side or one above the other) whose two pixels are free and lie in
 /// two nodes: a maximal one, or a part of one that is no longer than asked for.
@@ -46,6 +56,9 @@ struct Portal {
   /// Between two borders' boxes [px].
   double distanceToBorder(const Portal& other) const;
   bool straight = false;  ///< the border is a straight line, nodes[0] all on its lower side
+
+  /// Paths that cross the border anywhere bend at turning points this near to the nodes [px].
+  int turningReach() const { return static_cast<int>(std::ceil(reach)) + 1; }
 
   std::size_t sideOf(std::uint32_t node) const { return nodes[0] == node ? 0 : 1; }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "planning/free_space.h"
+#include "planning/paged_array.h"
 #include "planning/portal_runs.h"
 #include "planning/stop.h"
 #include "tags/disjoint_sets.h"
@@ -27,40 +28,51 @@ class PortalGraph {
 
   /// The node of a pixel that the map contains; kNoNode if it is not free.
   std::uint32_t nodeAt(std::size_t pixel_index) const { return node_at_[pixel_index]; }
-  std::size_t nodeCount() const { return class_of_.size(); }
+  /// Some of them may be without pixels, in a graph that was patched.
+  std::size_t nodeCount() const { return nodes_.size(); }
   /// Of its pixels: index of the cell, or label of the area.
-  std::uint32_t classOf(std::uint32_t node) const { return class_of_[node]; }
+  std::uint32_t classOf(std::uint32_t node) const { return nodes_[node].class_of; }
   /// Nodes with the same component, and no others, are connected.
   std::uint32_t componentOf(std::uint32_t node) const { return component_of_[node]; }
-  const PixelBox& boxOf(std::uint32_t node) const { return box_of_[node]; }
+  /// All its pixels lie in it; in a graph that was patched it may be too large.
+  const PixelBox& boxOf(std::uint32_t node) const { return nodes_[node].box; }
+  /// No turning point of the node's paths lies farther beyond its pixels, in either direction [px].
+  int reachOf(std::uint32_t node) const { return nodes_[node].reach; }
 
-  const std::vector<Portal>& portals() const { return portals_; }
-  /// Indices of a node's portals: [begin, end) of a list.
-  struct Range {
-    const std::uint32_t* first;
-    const std::uint32_t* last;
-    const std::uint32_t* begin() const { return first; }
-    const std::uint32_t* end() const { return last; }
-  };
-  Range portalsOf(std::uint32_t node) const {
-    return {portals_of_.data() + portals_from_[node], portals_of_.data() + portals_from_[node + 1]};
+  /// Those of a graph that was patched may be out of use: their nodes are kNoNode.
+  const PagedArray<Portal, 5>& portals() const { return portals_; }
+  /// Indices of a node's portals, in ascending order.
+  const std::vector<std::uint32_t>& portalsOf(std::uint32_t node) const {
+    return nodes_[node].portals;
   }
 
  private:
-  void labelNodes(const FreeSpace& free, const ClassesOfRow& classes_of_row, const StopCheck& stop);
-  void numberNodes(const MapGeometry& geometry, DisjointSets& sets,
-                   const std::vector<std::uint32_t>& class_of_set);
-  void findPortals(const MapGeometry& geometry, const StopCheck& stop, PortalCut cut);
+  friend class PortalGraphPatch;
+  struct Node {
+    std::uint32_t class_of = 0;
+    int reach = 0;
+    PixelBox box;
+    std::vector<std::uint32_t> portals;
+  };
+  /// While it is made.
+  struct Parts {
+    std::vector<std::uint32_t> node_at;
+    std::vector<Node> nodes;
+    std::vector<Portal> portals;
+  };
+  static void labelNodes(const FreeSpace& free, const ClassesOfRow& classes_of_row,
+                         const StopCheck& stop, Parts& parts);
+  static void numberNodes(const MapGeometry& geometry, DisjointSets& sets,
+                          const std::vector<std::uint32_t>& class_of_set, Parts& parts);
+  static void findPortals(const MapGeometry& geometry, const StopCheck& stop, PortalCut cut,
+                          Parts& parts);
+  static void listPortals(Parts& parts);
   void joinComponents();
-  void listPortals();
 
-  std::vector<std::uint32_t> node_at_;
-  std::vector<std::uint32_t> class_of_;
+  PagedArray<std::uint32_t, 10> node_at_;
+  PagedArray<Node, 4> nodes_;
+  PagedArray<Portal, 5> portals_;
   std::vector<std::uint32_t> component_of_;
-  std::vector<PixelBox> box_of_;
-  std::vector<Portal> portals_;
-  std::vector<std::uint32_t> portals_from_;
-  std::vector<std::uint32_t> portals_of_;
 };
 
 }  // namespace agrid::planning

@@ -20,17 +20,7 @@ PixelBox borderOf(const PixelPair& pair) {
   return box;
 }
 
-PixelBox merged(PixelBox a, const PixelBox& b) {
-  a.add(b.low);
-  a.add(b.high);
-  return a;
-}
-
 int sideOf(const PixelBox& box) { return std::max(box.high.x - box.low.x, box.high.y - box.low.y); }
-
-bool touch(const PixelBox& a, const PixelBox& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
 
 /// Sets of pairs, with the box around each set's borders.
 class Runs {
@@ -71,7 +61,7 @@ Runs partsOfRuns(const std::vector<PixelPair>& pairs, const Links& links) {
   Runs whole = wholeRuns(pairs, links);
   Runs parts(pairs);
   for (const auto& link : links) {
-    if (!touch(borderOf(pairs[link[0]]), borderOf(pairs[link[1]]))) continue;
+    if (!overlap(borderOf(pairs[link[0]]), borderOf(pairs[link[1]]))) continue;
     const int side = sideOf(whole.borderOfRun(link[0]));
     parts.join(link[0], link[1], std::clamp((side + kParts - 1) / kParts, kShortest, kLongest));
   }

@@ -25,8 +25,9 @@ struct PixelPair {
 /// Collects pairs, and which of the same two nodes lie next to each other, row by row.
 class PortalRuns {
  public:
-  explicit PortalRuns(std::size_t width)
-      : rows_{std::vector<Slot>(width + 2), std::vector<Slot>(width + 2)} {}
+  /// @param width  of the columns from `first_x` on, in which the pairs' lower pixels lie
+  explicit PortalRuns(std::size_t width, int first_x = 0)
+      : first_x_(first_x), rows_{std::vector<Slot>(width + 2), std::vector<Slot>(width + 2)} {}
 
   void nextRow() {
     std::swap(rows_[0], rows_[1]);
@@ -35,7 +36,7 @@ class PortalRuns {
   /// @param upwards  whether b lies above a, else beside it
   void add(Pixel p, bool upwards, std::uint32_t a, std::uint32_t b) {
     const auto added = static_cast<std::uint32_t>(pairs_.size());
-    const auto x = static_cast<std::size_t>(p.x) + 1;
+    const auto x = static_cast<std::size_t>(p.x - first_x_) + 1;
     for (const Slot* slot :
          {&rows_[0][x - 1], &rows_[0][x], &rows_[0][x + 1], &rows_[1][x - 1], &rows_[1][x]}) {
       for (const std::uint32_t pair : slot->pairs) {
@@ -54,6 +55,7 @@ class PortalRuns {
   static bool sameNodes(const PixelPair& pair, std::uint32_t a, std::uint32_t b) {
     return (pair.a == a && pair.b == b) || (pair.a == b && pair.b == a);
   }
+  int first_x_;
   std::array<std::vector<Slot>, 2> rows_;
   std::vector<PixelPair> pairs_;
   std::vector<std::array<std::uint32_t, 2>> links_;

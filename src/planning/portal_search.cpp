@@ -75,9 +75,9 @@ void PortalSearch::findGoalLengths() {
     for (const std::uint32_t portal : regions_.portalsOf(region)) {
       const float leg = goal_ == nullptr ? 0 : goal_->straightLength(measure_, rank++);
       const Landmarks::Lengths& lengths = landmarks_.of(portal);
-      for (std::size_t k = 0; k < lengths.size(); ++k) {
-        goal_nearest_[k] = std::min(goal_nearest_[k], lengths[k] + leg);
-        goal_farthest_[k] = std::max(goal_farthest_[k], lengths[k] - leg);
+      for (std::size_t k = 0; k < Landmarks::kCount; ++k) {
+        goal_nearest_[k] = std::min(goal_nearest_[k], lengths.to[k] - lengths.slack + leg);
+        goal_farthest_[k] = std::max(goal_farthest_[k], lengths.to[k] + lengths.slack - leg);
       }
     }
   }
@@ -88,8 +88,9 @@ float PortalSearch::restOf(std::uint32_t portal) const {
   const Portal& place = regions_.portals()[portal];
   auto rest = static_cast<float>(target_.distanceFrom(place.crossing()) - place.reach);
   const Landmarks::Lengths& lengths = landmarks_.of(portal);
-  for (std::size_t k = 0; k < lengths.size(); ++k) {
-    rest = std::max({rest, goal_nearest_[k] - lengths[k], lengths[k] - goal_farthest_[k]});
+  for (std::size_t k = 0; k < Landmarks::kCount; ++k) {
+    rest = std::max({rest, goal_nearest_[k] - lengths.to[k] - lengths.slack,
+                     lengths.to[k] - goal_farthest_[k] - lengths.slack});
   }
   return rest;
 }

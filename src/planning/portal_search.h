@@ -57,8 +57,9 @@ class PortalSearch {
   const Landmarks& landmarks_;
   const Target& target_;
   RoadEnd* goal_;
-  Landmarks::Lengths goal_nearest_;   ///< least sum of a portal's length and the leg to the goal
-  Landmarks::Lengths goal_farthest_;  ///< greatest difference
+  std::array<float, Landmarks::kCount>
+      goal_nearest_;  ///< least sum of a portal's length and the leg to the goal
+  std::array<float, Landmarks::kCount> goal_farthest_;  ///< greatest difference
   Memory& memory_;
   float best_ = kUnreachable;
   std::uint32_t last_;

@@ -42,14 +42,31 @@ bool hasOneLabel(const MapGeometry& geometry, const PortalGraph& regions, std::u
   return true;
 }
 
+/// All pixels that are free or not because of doors, by this radius or a smaller one.
+std::vector<PixelBox> aroundDoors(std::vector<PixelBox> doors, const FreeSpace& free) {
+  const int px = static_cast<int>(std::min(free.radiusPx(), 1e6)) + 4;
+  for (PixelBox& box : doors) box = widened(box, px);
+  return doors;
+}
+
 }  // namespace
 
-RadiusRoads::RadiusRoads(const FreeSpace& free_space, const PixelLabels& labels,
-                         const StopCheck& stop)
-    : free(free_space),
-      roadmap(free_space, labels, stop),
+RadiusRoads::RadiusRoads(const MapGeometry& geometry, Field open_field, double robot_radius,
+                         const PixelLabels& labels, const StopCheck& stop)
+    : field(std::move(open_field)),
+      free(geometry, field->distances(), robot_radius),
+      roadmap(free, labels, stop),
       path_landmarks(roadmap, Measure::kPath, stop),
       least_landmarks(roadmap, Measure::kLeast, stop) {}
+
+RadiusRoads::RadiusRoads(const RadiusRoads& former, const RadiusRoads& base, Field field_now)
+    : field(std::move(field_now)),
+      free(former.free.withDistances(field->distances())),
+      roadmap(former.roadmap, base.roadmap,
+              {free, aroundDoors(field->changedBoxes(*former.field), free),
+               aroundDoors(field->closedBoxes(), free)}),
+      path_landmarks(former.path_landmarks, base.path_landmarks, base.roadmap, free, roadmap),
+      least_landmarks(former.least_landmarks, base.least_landmarks, base.roadmap, free, roadmap) {}
 
 const PortalGraph& AreaPieces::graph(const FreeSpace& free, const StopCheck& stop) const {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -63,25 +80,42 @@ const PortalGraph& AreaPieces::graph(const FreeSpace& free, const StopCheck& sto
   return *graph_;
 }
 
-RadiusLevel::RadiusLevel(std::shared_ptr<const RadiusRoads> prepared, PixelLabels labels)
-    : prepared_(std::move(prepared)),
-      free(prepared_->free),
-      roadmap(prepared_->roadmap),
-      path_landmarks(prepared_->path_landmarks),
-      least_landmarks(prepared_->least_landmarks),
+RadiusLevel::RadiusLevel(std::shared_ptr<const RadiusRoads> prepared_roads, PixelLabels labels)
+    : prepared(std::move(prepared_roads)),
+      free(prepared->free),
+      roadmap(prepared->roadmap),
+      path_landmarks(prepared->path_landmarks),
+      least_landmarks(prepared->least_landmarks),
       label_of_(
           std::make_shared<const std::vector<std::uint16_t>>(labelsOf(roadmap.regions(), labels))),
       barriers_(std::make_shared<const Barriers>()),
       pieces_(std::make_shared<const AreaPieces>(std::move(labels))) {}
 
+RadiusLevel::RadiusLevel(const RadiusLevel& former,
+                         std::shared_ptr<const RadiusRoads> prepared_roads)
+    : prepared(std::move(prepared_roads)),
+      free(prepared->free),
+      roadmap(prepared->roadmap),
+      path_landmarks(prepared->path_landmarks),
+      least_landmarks(prepared->least_landmarks),
+      barriers_(std::make_shared<const Barriers>()),
+      pieces_(std::make_shared<const AreaPieces>(former.labels())) {
+  auto label_of = std::make_shared<std::vector<std::uint16_t>>(*former.label_of_);
+  label_of->resize(roadmap.regions().nodeCount());
+  for (const auto& [region, pixel] : roadmap.renewedRegions()) {
+    (*label_of)[region] = pixel ? labels()[free.geometry().index(*pixel)] : std::uint16_t{0};
+  }
+  label_of_ = std::move(label_of);
+}
+
 RadiusLevel::RadiusLevel(const RadiusLevel& former, PixelLabels labels,
                          std::shared_ptr<const std::vector<std::uint16_t>> label_of,
                          bool same_doors)
-    : prepared_(former.prepared_),
-      free(prepared_->free),
-      roadmap(prepared_->roadmap),
-      path_landmarks(prepared_->path_landmarks),
-      least_landmarks(prepared_->least_landmarks),
+    : prepared(former.prepared),
+      free(prepared->free),
+      roadmap(prepared->roadmap),
+      path_landmarks(prepared->path_landmarks),
+      least_landmarks(prepared->least_landmarks),
       label_of_(std::move(label_of)),
       barriers_(same_doors ? former.barriers_ : std::make_shared<const Barriers>()),
       pieces_(former.labels().shares(labels)

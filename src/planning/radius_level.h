@@ -11,6 +11,7 @@
 #include "planning/barriers.h"
 #include "planning/free_space.h"
 #include "planning/landmarks.h"
+#include "planning/obstacle_field.h"
 #include "planning/portal_graph.h"
 #include "planning/roadmap.h"
 
@@ -19,9 +20,17 @@ namespace agrid::planning {
 /// What is prepared once for a robot's radius. It depends on the metric map and the closed doors
 /// alone: the areas' labels decide where it is divided, never what is free.
 struct RadiusRoads {
-  /// @throws Stopped
-  RadiusRoads(const FreeSpace& free_space, const PixelLabels& labels, const StopCheck& stop);
+  using Field = std::shared_ptr<const ObstacleField>;
 
+  /// All doors are open in `open_field`.
+  /// @throws Stopped
+  RadiusRoads(const MapGeometry& geometry, Field open_field, double robot_radius,
+              const PixelLabels& labels, const StopCheck& stop);
+  /// `former` with other doors closed.
+  /// @param base  prepared with all doors open
+  RadiusRoads(const RadiusRoads& former, const RadiusRoads& base, Field field_now);
+
+  const Field field;
   const FreeSpace free;
   const Roadmap roadmap;
   const Landmarks path_landmarks;
@@ -47,16 +56,16 @@ class RadiusLevel {
  public:
   /// @param labels  those that the roads were prepared with
   RadiusLevel(std::shared_ptr<const RadiusRoads> prepared, PixelLabels labels);
+  /// The same areas with other doors closed.
+  /// @param former  of whose roads `prepared` was made
+  RadiusLevel(const RadiusLevel& former, std::shared_ptr<const RadiusRoads> prepared);
   /// The same roads for a map with other areas or doors.
   /// @param labels  each region has one, see labelsOfRegions
   /// @param same_doors  as to their places and to which of them are closed
   RadiusLevel(const RadiusLevel& former, PixelLabels labels,
               std::shared_ptr<const std::vector<std::uint16_t>> label_of, bool same_doors);
 
- private:
-  const std::shared_ptr<const RadiusRoads> prepared_;
-
- public:
+  const std::shared_ptr<const RadiusRoads> prepared;
   const FreeSpace& free;
   const Roadmap& roadmap;
   const Landmarks& path_landmarks;

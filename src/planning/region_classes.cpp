@@ -5,10 +5,9 @@
 #include <numeric>
 
 namespace agrid::planning {
-RegionClasses::RegionClasses(const MapGeometry& geometry,
-                             const std::vector<std::uint16_t>& pixel_labels,
+RegionClasses::RegionClasses(const MapGeometry& geometry, const PixelLabels& pixel_labels,
                              const std::vector<TurningPoint>& points)
-    : geometry_(geometry), labels_(&pixel_labels) {
+    : geometry_(geometry), labels_(pixel_labels) {
   findBoxes();
   std::size_t count = 0;
   for (Box& box : boxes_) {
@@ -30,7 +29,7 @@ RegionClasses::RegionClasses(const MapGeometry& geometry,
 }
 
 void RegionClasses::findBoxes() {
-  const auto& labels = *labels_;
+  const std::vector<std::uint16_t>& labels = labels_;
   std::size_t i = 0;
   for (int y = 0; y < geometry_.height; ++y) {
     for (int x = 0; x < geometry_.width; ++x, ++i) {
@@ -82,7 +81,7 @@ void RegionClasses::divide(const Box& box, const Box& part,
 
 void RegionClasses::classesOfRow(int y, std::vector<std::uint32_t>& classes) const {
   const auto width = static_cast<std::size_t>(geometry_.width);
-  const std::uint16_t* labels = labels_->data() + static_cast<std::size_t>(y) * width;
+  const std::uint16_t* labels = labels_.data() + static_cast<std::size_t>(y) * width;
   for (std::size_t x = 0; x < width; ++x) {
     if (x != 0 && x % kBlock != 0 && labels[x] == labels[x - 1]) {
       classes[x] = classes[x - 1];

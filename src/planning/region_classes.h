@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "agrid/areas/area_map.h"
 #include "agrid/map/map_geometry.h"
 #include "planning/turning_point.h"
 
@@ -21,11 +22,16 @@ class RegionClasses {
   static constexpr std::uint32_t kMaxPoints = 200;
 
   /// @param pixel_labels  of the areas, row-major, 0 where there is none
-  RegionClasses(const MapGeometry& geometry, const std::vector<std::uint16_t>& pixel_labels,
+  RegionClasses(const MapGeometry& geometry, const PixelLabels& pixel_labels,
                 const std::vector<TurningPoint>& points);
 
   /// Writes the class of each pixel of row `y`.
   void classesOfRow(int y, std::vector<std::uint32_t>& classes) const;
+
+  /// Of a pixel of the map.
+  std::uint32_t classAt(Pixel p) const {
+    return block_class_[boxes_[labels_[geometry_.index(p)]].blockAt(p.x / kBlock, p.y / kBlock)];
+  }
 
  private:
   /// The blocks of a label's bounding box, row-major from `first` on.
@@ -45,7 +51,7 @@ class RegionClasses {
   void divide(const Box& box, const Box& part, const std::vector<std::uint32_t>& points_in_block);
 
   MapGeometry geometry_;
-  const std::vector<std::uint16_t>* labels_;
+  PixelLabels labels_;
   std::vector<Box> boxes_;                  ///< of the labels, in blocks
   std::vector<std::uint32_t> block_class_;  ///< of all boxes' blocks
   std::uint32_t next_class_ = 0;

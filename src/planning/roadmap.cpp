@@ -3,34 +3,21 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdlib>
 #include <future>
 #include <thread>
 #include <utility>
 
-#include "planning/region_classes.h"
+#include "planning/portal_graph_patch.h"
 
 namespace agrid::planning {
 namespace {
 
-PortalGraph regionsOf(const FreeSpace& free, const std::vector<std::uint16_t>& pixel_labels,
-                      const std::vector<TurningPoint>& points, const StopCheck& stop) {
-  const RegionClasses classes(free.geometry(), pixel_labels, points);
-  return PortalGraph(
+std::shared_ptr<const PortalGraph> regionsOf(const FreeSpace& free, const RegionClasses& classes,
+                                             const StopCheck& stop) {
+  return std::make_shared<const PortalGraph>(
       free, [&](int y, std::vector<std::uint32_t>& row) { classes.classesOfRow(y, row); }, stop,
       PortalCut::kParts);
-}
-
-/// Of each region, how far its portals reach [px].
-std::vector<int> reachesOf(const PortalGraph& regions) {
-  std::vector<int> reaches(regions.nodeCount());
-  for (const Portal& portal : regions.portals()) {
-    for (const std::uint32_t region : portal.nodes) {
-      reaches[region] = std::max(reaches[region], static_cast<int>(std::ceil(portal.reach)) + 1);
-    }
-  }
-  return reaches;
 }
 
 /// The turning points of each region's paths: a path that starts anywhere on a portal's border,
@@ -39,8 +26,10 @@ std::vector<std::vector<TurningPoint>> pointsOfRegions(const FreeSpace& free,
                                                        const PortalGraph& regions,
                                                        const std::vector<TurningPoint>& points) {
   const MapGeometry& geometry = free.geometry();
-  const std::vector<int> reaches = reachesOf(regions);
-  const int window = reaches.empty() ? 0 : *std::max_element(reaches.begin(), reaches.end());
+  int window = 0;
+  for (std::uint32_t region = 0; region < regions.nodeCount(); ++region) {
+    window = std::max(window, regions.reachOf(region));
+  }
   std::vector<std::vector<TurningPoint>> points_of(regions.nodeCount());
   std::vector<std::uint32_t> near;
   for (const TurningPoint& point : points) {
@@ -50,7 +39,8 @@ std::vector<std::vector<TurningPoint>> pointsOfRegions(const FreeSpace& free,
       for (int x = std::max(p.x - window, 0); x <= std::min(p.x + window, geometry.width - 1);
            ++x) {
         const std::uint32_t region = regions.nodeAt(geometry.index({x, y}));
-        if (region == kNoNode || std::max(std::abs(x - p.x), std::abs(y - p.y)) > reaches[region] ||
+        if (region == kNoNode ||
+            std::max(std::abs(x - p.x), std::abs(y - p.y)) > regions.reachOf(region) ||
             std::find(near.begin(), near.end(), region) != near.end()) {
           continue;
         }
@@ -60,6 +50,44 @@ std::vector<std::vector<TurningPoint>> pointsOfRegions(const FreeSpace& free,
     }
   }
   return points_of;
+}
+
+/// Those of one region.
+std::vector<TurningPoint> pointsOfRegion(const FreeSpace& free, const PortalGraph& regions,
+                                         std::uint32_t region) {
+  const MapGeometry& geometry = free.geometry();
+  const int reach = regions.reachOf(region);
+  const PixelBox box = clippedTo(geometry, widened(regions.boxOf(region), reach));
+  const auto isNear = [&](Pixel p) {
+    if (regions.nodeAt(geometry.index(p)) == region) return true;
+    const PixelBox window =
+        clippedTo(geometry, {{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}});
+    for (int y = window.low.y; y <= window.high.y; ++y) {
+      for (int x = window.low.x; x <= window.high.x; ++x) {
+        if (regions.nodeAt(geometry.index({x, y})) == region) return true;
+      }
+    }
+    return false;
+  };
+  std::vector<TurningPoint> points = turningPoints(free, box, {});
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const TurningPoint& point) { return !isNear(point.at.pixel()); }),
+               points.end());
+  return points;
+}
+
+RegionRoads roadsOf(const FreeSpace& free, const PortalGraph& regions, std::uint32_t region,
+                    std::vector<TurningPoint> points) {
+  std::vector<const Portal*> portals;
+  for (const std::uint32_t portal : regions.portalsOf(region)) {
+    portals.push_back(&regions.portals()[portal]);
+  }
+  return {free, region, std::move(points), portals};
+}
+
+bool overlapsAny(const PixelBox& box, const std::vector<PixelBox>& boxes) {
+  return std::any_of(boxes.begin(), boxes.end(),
+                     [&](const PixelBox& other) { return overlap(box, other); });
 }
 
 /// Runs `work(i)` for each i below `count` on all cores.
@@ -79,39 +107,84 @@ void forEachInParallel(std::size_t count, const Work& work) {
 
 }  // namespace
 
-Roadmap::Roadmap(const FreeSpace& free, const std::vector<std::uint16_t>& pixel_labels,
-                 const StopCheck& stop)
+Roadmap::Roadmap(const FreeSpace& free, const PixelLabels& pixel_labels, const StopCheck& stop)
     : Roadmap(free, pixel_labels, turningPoints(free, stop), stop) {}
 
-Roadmap::Roadmap(const FreeSpace& free, const std::vector<std::uint16_t>& pixel_labels,
+Roadmap::Roadmap(const FreeSpace& free, const PixelLabels& pixel_labels,
                  const std::vector<TurningPoint>& points, const StopCheck& stop)
-    : regions_(regionsOf(free, pixel_labels, points, stop)) {
+    : classes_(std::make_shared<const RegionClasses>(free.geometry(), pixel_labels, points)),
+      regions_(regionsOf(free, *classes_, stop)) {
   rankPortals();
   buildRoads(free, points, stop);
 }
 
+Roadmap::Roadmap(const Roadmap& former, const Roadmap& base, const Change& change)
+    : classes_(base.classes_), rank_(former.rank_), roads_(former.roads_) {
+  auto regions = std::make_shared<PortalGraph>(*former.regions_);
+  PortalGraphPatch patch(*regions, *base.regions_, change.free, *classes_);
+  for (const PixelBox& box : change.boxes) patch.apply(box);
+  patch.finish();
+  regions_ = std::move(regions);
+  if (!patch.changedAnything()) return;
+  renewed_regions_ = patch.renewed();
+  new_portals_ = patch.newPortals();
+  while (rank_.size() < 2 * regions_->portals().size()) rank_.push_back(0);
+  for (const std::uint32_t region : patch.relisted()) rankPortalsOf(region);
+  renewRoads(base, change, patch.relisted());
+}
+
 void Roadmap::rankPortals() {
-  rank_.resize(2 * regions_.portals().size());
-  for (std::uint32_t region = 0; region < regions_.nodeCount(); ++region) {
+  std::vector<std::uint32_t> rank_of(2 * regions_->portals().size());
+  for (std::uint32_t region = 0; region < regions_->nodeCount(); ++region) {
     std::uint32_t rank = 0;
-    for (const std::uint32_t portal : regions_.portalsOf(region)) {
-      rank_[2 * std::size_t{portal} + regions_.portals()[portal].sideOf(region)] = rank++;
+    for (const std::uint32_t portal : regions_->portalsOf(region)) {
+      rank_of[2 * std::size_t{portal} + regions_->portals()[portal].sideOf(region)] = rank++;
     }
+  }
+  rank_ = PagedArray<std::uint32_t, 6>(std::move(rank_of));
+}
+
+void Roadmap::rankPortalsOf(std::uint32_t region) {
+  std::uint32_t rank = 0;
+  for (const std::uint32_t portal : regions_->portalsOf(region)) {
+    rank_.edit(2 * std::size_t{portal} + regions_->portals()[portal].sideOf(region)) = rank++;
   }
 }
 
 void Roadmap::buildRoads(const FreeSpace& free, const std::vector<TurningPoint>& points,
                          const StopCheck& stop) {
-  std::vector<std::vector<TurningPoint>> points_of = pointsOfRegions(free, regions_, points);
-  roads_.resize(regions_.nodeCount());
-  forEachInParallel(roads_.size(), [&](std::size_t i) {
+  std::vector<std::vector<TurningPoint>> points_of = pointsOfRegions(free, *regions_, points);
+  std::vector<std::shared_ptr<const LazyRoads>> roads(regions_->nodeCount());
+  forEachInParallel(roads.size(), [&](std::size_t i) {
     stop.check();
-    std::vector<const Portal*> portals;
-    for (const std::uint32_t portal : regions_.portalsOf(static_cast<std::uint32_t>(i))) {
-      portals.push_back(&regions_.portals()[portal]);
-    }
-    roads_[i] = RegionRoads(free, static_cast<std::uint32_t>(i), std::move(points_of[i]), portals);
+    roads[i] = std::make_shared<const LazyRoads>(
+        roadsOf(free, *regions_, static_cast<std::uint32_t>(i), std::move(points_of[i])));
   });
+  roads_ = PagedArray<std::shared_ptr<const LazyRoads>, 4>(std::move(roads));
+}
+
+/// All that a region's roads depend on lies within its box, widened by what its paths may bend
+/// beyond it.
+void Roadmap::renewRoads(const Roadmap& base, const Change& change,
+                         const std::set<std::uint32_t>& relisted) {
+  while (roads_.size() < regions_->nodeCount()) roads_.push_back(nullptr);
+  for (std::uint32_t region = 0; region < regions_->nodeCount(); ++region) {
+    const PixelBox& box = regions_->boxOf(region);
+    if (box.high.x < 0) continue;
+    const PixelBox around = widened(box, regions_->reachOf(region) + 2);
+    if (!overlapsAny(around, change.boxes) && relisted.count(region) == 0) continue;
+    const bool as_in_base = region < base.regions_->nodeCount() &&
+                            !overlapsAny(around, change.from_base) &&
+                            regions_->portalsOf(region) == base.regions_->portalsOf(region);
+    if (as_in_base) {
+      roads_.edit(region) = base.roads_[region];
+      continue;
+    }
+    const auto make = [free = change.free, regions = regions_, region] {
+      return roadsOf(free, *regions, region, pointsOfRegion(free, *regions, region));
+    };
+    roads_.edit(region) = std::make_shared<const LazyRoads>(std::function<RegionRoads()>(make));
+  }
 }
 
 }  // namespace agrid::planning

@@ -3,10 +3,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <set>
 #include <vector>
 
 #include "planning/free_space.h"
+#include "planning/lazy_roads.h"
+#include "planning/paged_array.h"
 #include "planning/portal_graph.h"
+#include "planning/portal_graph_patch.h"
+#include "planning/region_classes.h"
 #include "planning/region_roads.h"
 #include "planning/stop.h"
 
@@ -19,11 +25,26 @@ class Roadmap {
  public:
   /// @param pixel_labels  of the areas, row-major, 0 where there is none
   /// @throws Stopped
-  Roadmap(const FreeSpace& free, const std::vector<std::uint16_t>& pixel_labels,
-          const StopCheck& stop);
+  Roadmap(const FreeSpace& free, const PixelLabels& pixel_labels, const StopCheck& stop);
 
-  const PortalGraph& regions() const { return regions_; }
-  const RegionRoads& roads(std::uint32_t region) const { return roads_[region]; }
+  /// Where pixels became free or are no longer.
+  struct Change {
+    const FreeSpace& free;                   ///< as it is now
+    const std::vector<PixelBox>& boxes;      ///< all pixels nearer or farther than before ...
+    const std::vector<PixelBox>& from_base;  ///< ... and than in the base
+  };
+  /// `former` after a change: what lies far from it is shared, the roads near it are made when they
+  /// are asked for.
+  /// @param base  of the same map with more free pixels than either; its numbers and roads come
+  ///              back where all is as there
+  Roadmap(const Roadmap& former, const Roadmap& base, const Change& change);
+
+  const PortalGraph& regions() const { return *regions_; }
+  /// What is not as in the roadmap that this one was made from: regions that are new or gone, and
+  /// portals that are new.
+  const RenewedNodes& renewedRegions() const { return renewed_regions_; }
+  const std::set<std::uint32_t>& newPortals() const { return new_portals_; }
+  const RegionRoads& roads(std::uint32_t region) const { return roads_[region]->get(); }
   /// Which of a region's portals a portal is; `side` is the region's place in Portal::nodes.
   std::uint32_t rankOf(std::uint32_t portal, std::size_t side) const {
     return rank_[2 * std::size_t{portal} + side];
@@ -33,25 +54,31 @@ class Roadmap {
   template <typename Visit>
   void forEachOnwards(Measure measure, std::uint32_t portal, std::size_t side,
                       const Visit& visit) const {
-    const std::uint32_t region = regions_.portals()[portal].nodes[side];
-    const RegionRoads& roads = roads_[region];
+    const std::uint32_t region = regions_->portals()[portal].nodes[side];
+    const RegionRoads& roads = this->roads(region);
     const float* lengths = roads.lengthsTo(measure, rankOf(portal, side)) + roads.points().size();
-    for (const std::uint32_t other : regions_.portalsOf(region)) {
+    for (const std::uint32_t other : regions_->portalsOf(region)) {
       const float length = *lengths++;
       if (other != portal && length < kUnreachable) visit(other, length);
     }
   }
 
  private:
-  Roadmap(const FreeSpace& free, const std::vector<std::uint16_t>& pixel_labels,
+  Roadmap(const FreeSpace& free, const PixelLabels& pixel_labels,
           const std::vector<TurningPoint>& points, const StopCheck& stop);
   void rankPortals();
+  void rankPortalsOf(std::uint32_t region);
+  void renewRoads(const Roadmap& base, const Change& change,
+                  const std::set<std::uint32_t>& relisted);
   void buildRoads(const FreeSpace& free, const std::vector<TurningPoint>& points,
                   const StopCheck& stop);
 
-  PortalGraph regions_;
-  std::vector<std::uint32_t> rank_;
-  std::vector<RegionRoads> roads_;
+  std::shared_ptr<const RegionClasses> classes_;
+  std::shared_ptr<const PortalGraph> regions_;
+  PagedArray<std::uint32_t, 6> rank_;
+  PagedArray<std::shared_ptr<const LazyRoads>, 4> roads_;
+  RenewedNodes renewed_regions_;
+  std::set<std::uint32_t> new_portals_;
 };
 
 }  // namespace agrid::planning

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planning/free_space.h"
+#include "planning/portal.h"
 #include "planning/stop.h"
 
 namespace agrid::planning {
@@ -29,5 +30,8 @@ struct TurningPoint {
 
 /// All of them, row by row.
 std::vector<TurningPoint> turningPoints(const FreeSpace& free, const StopCheck& stop);
+/// Those in a box of pixels of the map, in the same order.
+std::vector<TurningPoint> turningPoints(const FreeSpace& free, const PixelBox& box,
+                                        const StopCheck& stop);
 
 }  // namespace agrid::planning

@@ -14,7 +14,7 @@ namespace {
 FreeSpace freeSpace(const MapGeometry& geometry, const std::vector<std::uint8_t>& obstacles,
                     double radius) {
   return {geometry,
-          std::make_shared<const std::vector<std::int32_t>>(squaredDistances(geometry, obstacles)),
+          std::make_shared<const planning::SquaredDistances>(squaredDistances(geometry, obstacles)),
           radius};
 }
 

@@ -72,7 +72,7 @@ TEST(PathClearance, IsThatOfADenselySampledPath) {
     const Obstacles obstacles(*map, false);
     for (const Clearance clearance : {Clearance::kCostmap, Clearance::kStrict}) {
       const FreeSpace free(scene.grid.geometry,
-                           std::make_shared<const std::vector<std::int32_t>>(
+                           std::make_shared<const planning::SquaredDistances>(
                                obstacleDistances(scene.grid.geometry, obstacles, clearance)),
                            0);
       std::uniform_real_distribution<double> x(1, 22);

@@ -38,7 +38,7 @@ Sample randomSample(std::mt19937& random) {
   const Obstacles obstacles(*sample.map, true);
   sample.free =
       std::make_unique<FreeSpace>(geometry,
-                                  std::make_shared<const std::vector<std::int32_t>>(
+                                  std::make_shared<const planning::SquaredDistances>(
                                       obstacleDistances(geometry, obstacles, Clearance::kCostmap)),
                                   0.05 * (side(random) % 3));
   const CellLookup cells(geometry, sample.map->grid());
@@ -232,7 +232,7 @@ TEST(Portal, ReachOfAWindingBorderIsItsLength) {
   });
   double farthest = 0;
   ASSERT_EQ(whole.portals().size(), 1U);
-  const Portal& portal = whole.portals().front();
+  const Portal& portal = whole.portals()[0];
   const auto pieces = test::piecesOf(whole, s.geometry(), portal);
   for (const auto& [place, length] : lengthsAlong(pieces, portal)) {
     farthest = std::max(farthest, length);

@@ -70,7 +70,7 @@ TEST(Landmarks, BoundTheWaysBetweenPortalsFromBelow) {
           if (length == kUnreachable) continue;
           float bound = 0;
           for (std::size_t k = 0; k < Landmarks::kCount; ++k) {
-            bound = std::max(bound, std::abs(landmarks.of(from)[k] - landmarks.of(to)[k]));
+            bound = std::max(bound, std::abs(landmarks.of(from).to[k] - landmarks.of(to).to[k]));
           }
           ASSERT_LE(bound, length + kRounding) << "trial " << trial;
           gap += length == 0 ? 0 : 1 - bound / length;

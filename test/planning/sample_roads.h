@@ -82,14 +82,13 @@ inline RoadSample roadSample(Scene scene, const PlannerParams& params) {
   sample.scene = std::move(scene);
   sample.map = mapOf(sample.scene);
   const MapGeometry& g = sample.scene.grid.geometry;
-  const planning::Obstacles obstacles(*sample.map, params.allow_unknown);
-  const planning::FreeSpace free(g,
-                                 std::make_shared<const std::vector<std::int32_t>>(
-                                     planning::obstacleDistances(g, obstacles, params.clearance)),
-                                 params.robot_radius);
+  const planning::Obstacles obstacles(*sample.map, params.allow_unknown, params.clearance);
   const PixelLabels& labels = sample.map->area_map.pixel_labels;
   sample.level = std::make_unique<const planning::RadiusLevel>(
-      std::make_shared<const planning::RadiusRoads>(free, labels, planning::StopCheck{}), labels);
+      std::make_shared<const planning::RadiusRoads>(
+          g, std::make_shared<const planning::ObstacleField>(g, obstacles), params.robot_radius,
+          labels, planning::StopCheck{}),
+      labels);
   return sample;
 }
 

@@ -24,7 +24,7 @@ class Swept {
         obstacles_(*map_, false),
         slow_(scene, params, params.robot_radius) {
     const MapGeometry& g = scene.grid.geometry;
-    const auto distances = std::make_shared<const std::vector<std::int32_t>>(
+    const auto distances = std::make_shared<const planning::SquaredDistances>(
         planning::obstacleDistances(g, obstacles_, params.clearance));
     const FreeSpace free(g, distances, params.robot_radius);
     if (params.footprint.empty()) {
