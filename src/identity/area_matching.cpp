@@ -21,9 +21,8 @@ double share(std::int64_t part, std::int64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-/// A claim that may be an area, or the reason why it is none.
+/// How like an area a claim is, or why it is none.
 struct Judgement {
-  std::size_t area = 0;
   double likeness = 0;  ///< (0, 1]
   std::string doubt;
 };
@@ -44,11 +43,8 @@ class Matcher {
                         std::vector<std::string>(claims_.size())};
     std::vector<PairValue> candidates;
     for (std::size_t c = 0; c < claims_.size(); ++c) {
-      const Judgement judged = claims_[c].tag.outline_map.empty() ? bySeed(c) : byOutline(c);
-      matches.doubt[c] = judged.doubt;
-      if (!judged.doubt.empty()) continue;
-      candidates.push_back({c, judged.area, judged.likeness + rankOf(claims_[c])});
-      matches.doubt[c] = "its place is known by another name";
+      matches.doubt[c] = claims_[c].tag.outline_map.empty() ? judgeSeed(c, candidates)
+                                                            : judgeOutline(c, candidates);
     }
     for (const PairValue& pair : assignAtMostValue(candidates)) {
       matches.claim_of_area[pair.column] = pair.row;
@@ -71,36 +67,60 @@ class Matcher {
     return (given ? 4 : 0) + (claim.waits ? 0 : 2);
   }
 
-  Judgement bySeed(std::size_t c) const {
-    const auto pixel = geometry_.pixelAt(claims_[c].tag.seed_map);
-    const std::size_t label = pixel ? fresh_.pixel_labels[geometry_.index(*pixel)] : 0;
-    if (label == 0) return {0, 0, "it lies in no area"};
-    return {label - 1, 1.0 / (2.0 + static_cast<double>(c)), ""};  // of several the first
+  std::size_t areaAtSeed(const AreaTag& tag) const {
+    const auto pixel = geometry_.pixelAt(tag.seed_map);
+    return pixel ? fresh_.pixel_labels[geometry_.index(*pixel)] : std::size_t{0};
   }
 
-  Judgement byOutline(std::size_t c) const {
-    if (overlap_.visible[c] < params_.min_visible) return {0, 0, "its place is not on the map"};
-    const auto& common = overlap_.of_place[c];
-    if (common.empty()) return {0, 0, "there is no area at its place"};
-    const OutlineOverlap::Common best =
-        *std::max_element(common.begin(), common.end(),
-                          [](const auto& a, const auto& b) { return a.pixels < b.pixels; });
-    const std::int64_t smaller = std::min(overlap_.place_size[c], overlap_.area_size[best.area]);
-    if (share(best.pixels, smaller) < params_.min_containment) {
-      return {0, 0, "there is hardly an area at its place"};
+  // Both add what a claim may be, and return why it may turn out to be nothing.
+
+  std::string judgeSeed(std::size_t c, std::vector<PairValue>& candidates) const {
+    const std::size_t label = areaAtSeed(claims_[c].tag);
+    if (label == 0) return "it lies in no area";
+    // of several the first
+    candidates.push_back({c, label - 1, rankOf(claims_[c]) + 1.0 / (2.0 + static_cast<double>(c))});
+    return "its place is known by another name";
+  }
+
+  std::string judgeOutline(std::size_t c, std::vector<PairValue>& candidates) const {
+    if (overlap_.visible[c] < params_.min_visible) return "its place is not on the map";
+    std::string doubt = "there is no area at its place";
+    std::int64_t most = 0;
+    for (const OutlineOverlap::Common& common : overlap_.of_place[c]) {
+      const Judgement judged = judge(c, common);
+      if (judged.doubt.empty()) {
+        candidates.push_back({c, common.area - 1, judged.likeness + rankOf(claims_[c])});
+      }
+      if (common.pixels <= most) continue;
+      most = common.pixels;
+      doubt = judged.doubt.empty() ? "its place is known by another name" : judged.doubt;
     }
-    const double of_claim = share(best.pixels, sizeWithout(c, best.area));
-    if (of_claim < params_.min_share) {
-      return {0, 0, "its place is divided, at most " + percent(of_claim) + " of it are one area"};
+    return doubt;
+  }
+
+  Judgement judge(std::size_t c, const OutlineOverlap::Common& common) const {
+    const AreaClaim& claim = claims_[c];
+    const bool given = claim.tag.source != TagSource::kAutomatic;
+    const double min_share = given ? params_.min_given_share : params_.min_share;
+    const std::int64_t smaller = std::min(overlap_.place_size[c], overlap_.area_size[common.area]);
+    if (share(common.pixels, smaller) < params_.min_containment) {
+      return {0, "there is hardly an area at its place"};
     }
-    const auto& known = claims_[c].waits ? overlap_.ever_known : overlap_.known;
-    const double of_area = share(best.pixels, known[best.area]);
-    if (of_area < params_.min_share) {
-      return {
-          0, 0,
-          "its place is only a part of an area, " + percent(of_area) + " of what is known of it"};
+    const double of_claim = share(common.pixels, sizeWithout(c, common.area));
+    if (of_claim < min_share) {
+      return {0, "its place is divided, at most " + percent(of_claim) + " of it are one area"};
     }
-    return {best.area - 1, of_claim * of_area, ""};
+    const auto& known = claim.waits ? overlap_.ever_known : overlap_.known;
+    const double of_area = share(common.pixels, known[common.area]);
+    if (of_area < min_share) {
+      return {0, "its place is only a part of an area, " + percent(of_area) +
+                     " of what is known of it"};
+    }
+    const std::size_t at_seed = areaAtSeed(claim.tag);
+    if (given && at_seed != 0 && at_seed != common.area) {
+      return {0, "most of its place is one area, the point that was named lies in another"};
+    }
+    return {of_claim * of_area, ""};
   }
 
   /// The pixels of a claim in areas; if it waits, without the rooms that the area is a ring around:

@@ -14,7 +14,8 @@ struct RecognitionParams {
   /// A former area is the one that has at least this share of its pixels, and of whose pixels, as
   /// far as they lay in any former area, it has at least this share, in (0.5, 1]. Below it is
   /// doubt.
-  double min_share = 0.6;
+  double min_share = 0.5;
+  double min_given_share = 0.6;
   /// What both have in common is at least this share of the smaller of the two, in (0, 1].
   double min_containment = 0.5;
   /// At least this share of the former outline lies on the new map, in [0, 1].
