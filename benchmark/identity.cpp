@@ -78,7 +78,7 @@ void printHeader() {
       "| sequence | same areas kept | areas back after a gap | rooms with their first id in the "
       "end | names on their room "
       "in "
-      "the end | waiting | swapped | strayed | cost of finding areas |\n"
+      "the end | waiting | swapped | joined | cost of finding areas |\n"
       "|---|---|---|---|---|---|---|---|---|");
 }
 
@@ -86,15 +86,16 @@ void printRow(const std::string& name, const Tally& t) {
   std::printf("| %s | %s | %s | %s | %s | %zu | %zu | %zu | %.1f %% |\n", name.c_str(),
               percent(t.kept, t.same).c_str(), percent(t.back, t.again).c_str(),
               percent(t.lasting, t.rooms).c_str(), percent(t.named, t.names).c_str(), t.waiting,
-              t.swapped, t.strayed, 100 * t.seconds / t.area_seconds);
+              t.swapped, t.joined, 100 * t.seconds / t.area_seconds);
   std::fflush(stdout);
 }
 
 /// Shows the same maps to a follower of each variant.
 class Sequence {
  public:
-  explicit Sequence(const std::vector<Variant>& variants) {
-    for (const Variant& v : variants) followers_.emplace_back(v.params, v.majority);
+  /// @param floors  see Follower
+  Sequence(const std::vector<Variant>& variants, const std::vector<double>& floors) {
+    for (const Variant& v : variants) followers_.emplace_back(v.params, v.majority, floors);
   }
 
   void add(const OccupancyMap& map, const std::vector<std::uint16_t>& rooms) {
@@ -111,7 +112,7 @@ class Sequence {
       tallies.push_back(follower.finish());
       tallies.back().area_seconds = area_seconds_;
     }
-    if (with_losses) {
+    if (with_losses && !followers_.empty()) {
       for (const std::string& loss : followers_.front().losses()) std::puts(("  " + loss).c_str());
     }
     return tallies;
@@ -122,6 +123,14 @@ class Sequence {
   double area_seconds_ = 0;
 };
 
+std::vector<double> floorsOf(const std::vector<std::uint16_t>& rooms, const OccupancyMap& map) {
+  std::vector<double> floors(std::size_t{1} + *std::max_element(rooms.begin(), rooms.end()), 0);
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    if (map.pixels()[i] == agrid::Occupancy::kFree) floors[rooms[i]] += 1;
+  }
+  return floors;
+}
+
 std::vector<Tally> replay(const Subject& subject, agrid::bench::Seeing seeing,
                           const Request& request) {
   const OccupancyMap whole(agrid::loadMap(subject.yaml).grid);
@@ -129,7 +138,7 @@ std::vector<Tally> replay(const Subject& subject, agrid::bench::Seeing seeing,
                                                ? annotated(whole).area_map.pixel_labels.vector()
                                                : agrid::tools::readTrueRooms(subject.rooms, whole);
   const agrid::bench::Exploration exploration(whole, request.steps, seeing);
-  Sequence sequence(request.variants);
+  Sequence sequence(request.variants, floorsOf(rooms, whole));
   for (int step = 1; step <= request.steps; ++step) {
     const OccupancyMap map(exploration.seen(step));
     sequence.add(map, labelsOn(map.geometry(), whole.geometry(), rooms));
@@ -139,7 +148,7 @@ std::vector<Tally> replay(const Subject& subject, agrid::bench::Seeing seeing,
 
 std::vector<Tally> rebuild(std::uint32_t seed, const Request& request) {
   agrid::bench::ChangingOffice office(500, seed);
-  Sequence sequence(request.variants);
+  Sequence sequence(request.variants, {});
   for (int step = 1; step <= request.steps; ++step) {
     if (step > 1) office.change();
     sequence.add(OccupancyMap(agrid::bench::withNoise(office.grid(), step)), office.rooms());

@@ -101,7 +101,9 @@ class Matcher {
   Judgement judge(std::size_t c, const OutlineOverlap::Common& common) const {
     const AreaClaim& claim = claims_[c];
     const bool given = claim.tag.source != TagSource::kAutomatic;
-    const double min_share = given ? params_.min_given_share : params_.min_share;
+    const double min_share = !given        ? params_.min_share
+                             : claim.waits ? params_.min_return_share
+                                           : params_.min_given_share;
     const std::int64_t smaller = std::min(overlap_.place_size[c], overlap_.area_size[common.area]);
     if (share(common.pixels, smaller) < params_.min_containment) {
       return {0, "there is hardly an area at its place"};

@@ -41,6 +41,7 @@ void placeObjects(const FramedKnowledge& known, const MapGeometry& geometry, Rec
 void validate(const RecognitionParams& p) {
   for (const Bounds& b : {Bounds{"min_share", p.min_share, 0.01, 1},
                           Bounds{"min_given_share", p.min_given_share, 0.5, 1},
+                          Bounds{"min_return_share", p.min_return_share, 0.5, 1},
                           Bounds{"min_containment", p.min_containment, 0.001, 1},
                           Bounds{"min_visible", p.min_visible, 0, 1},
                           Bounds{"max_door_shift", p.max_door_shift, 0, 100},

@@ -236,7 +236,7 @@ TEST(Recognition, DoorsForAMapAreTheGivenOnesInItsFrame) {
 
 TEST(Recognition, ParametersOutOfRangeAreRefused) {
   RecognitionParams params;
-  params.min_share = 0.5;
+  params.min_given_share = 0.4;
   EXPECT_THROW(recognise({}, "", twoRooms(), "map", params), std::invalid_argument);
 }
 
