@@ -149,6 +149,45 @@ TEST(Store, S1_AStoreGoesOnOnceTheDiskIsWell) {
   }
 }
 
+// After it failed, the former map goes on, after a fold if need be, and nothing of the other is
+// left.
+TEST(Store, S1_AReplacementHappensOrNot) {
+  int refused_edits = 0;
+  for (int number = 1; number < kMostCalls; ++number) {
+    const TemporaryFolder folder;
+    StoredMap map = preparedIn(folder);
+    StoredMap other{"another map", "map", {}};
+    agrid::apply(PutTag{areaNamed(40, "of the other")}, other.knowledge);
+    bool was_reached = false;
+    {
+      Store store(folder.path(), "office");
+      try {
+        const WatchedCalls watched(Then::kFail, number, EIO);
+        store.replace(other);
+        was_reached = watched.wasReached();
+        map = other;
+      } catch (const StorageError&) {
+        was_reached = true;
+      }
+      StoredMap changed = map;
+      const auto edit = test::putting(areaNamed(41, "later"), changed.knowledge);
+      try {
+        store.append(edit);
+      } catch (const StorageError&) {
+        ++refused_edits;
+        store.fold(map);
+        store.append(edit);
+      }
+      map = changed;
+    }
+    Store store(folder.path(), "office");
+    const StoreContents found = store.takeContents();
+    EXPECT_TRUE(difference(found.map.knowledge, map.knowledge).empty()) << number;
+    if (!was_reached || HasFailure()) break;
+  }
+  EXPECT_GT(refused_edits, 0);
+}
+
 TEST(Store, S5_AFileWhoseSyncFailedIsNotSyncedAgain) {
   const TemporaryFolder folder;
   StoredMap map = preparedIn(folder);
