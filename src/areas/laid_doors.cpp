@@ -62,6 +62,8 @@ class DoorLayer {
     const std::array<std::uint16_t, 2> labels{labelOf(automatic_, automatic.areas[0]),
                                               labelOf(automatic_, automatic.areas[1])};
     Door door = automatic;
+    door.id = DoorId{0};  // its own means nothing outside
+    door.name.clear();
     bool parted = false;
     for (const std::size_t side : {0U, 1U}) {
       if (labels[side] == 0) continue;

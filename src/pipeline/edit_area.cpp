@@ -60,9 +60,9 @@ AreaPlace findPlace(const Point2& seed_map, const EditScope& scope) {
 }
 
 AreaTag withTexts(AreaTag tag, const AreaTag& said, bool by_name) {
-  tag.name = newName(tag, said.name, by_name);
   if (!said.category.empty()) tag.category = said.category;
   tag.properties = merged(std::move(tag.properties), said.properties);
+  tag.name = newName(tag.name, tag.properties, said.name, by_name);
   return tag;
 }
 
@@ -129,12 +129,21 @@ Edit changeArea(const AreaTag& said, const KnownTag& known, const EditScope& sco
   return conclude(std::move(decision), known, said.source, scope);
 }
 
+/// A tag without a name that waits already where it was said.
+std::optional<KnownTag> findWaiting(const Point2& seed_map, const EditScope& scope) {
+  for (const PendingTag& pending : scope.known().pending) {
+    const auto* area = std::get_if<AreaTag>(&pending.tag);
+    if (area && area->seed_map == seed_map) return KnownTag{pending.tag, &pending};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Edit decideArea(const AddTag& request, const AreaTag& given, const EditScope& scope) {
   AreaTag said = given;
   if (said.source == TagSource::kAutomatic) said.source = TagSource::kManual;
-  const Subject subject = findSubject(request, scope);
+  Subject subject = findSubject(request, scope);
   if (request.placement == Placement::kUnchanged) return changeArea(said, *subject.known, scope);
   requireFinite(said.seed_map, 0);
   const AreaPlace place = findPlace(said.seed_map, scope);
@@ -143,6 +152,7 @@ Edit decideArea(const AddTag& request, const AreaTag& given, const EditScope& sc
                        (!subject.known->pending &&
                         idOf(subject.known->tag) == static_cast<std::uint32_t>(place.holder->id)));
   if (is_there) return nameArea(request, said, *place.holder, scope);
+  if (!subject.known && said.name.empty()) subject.known = findWaiting(said.seed_map, scope);
   if (subject.by_name && !request.replace &&
       !(std::get<AreaTag>(subject.known->tag).seed_map == said.seed_map)) {
     refuse(EditErrorCode::kNameTaken, "'" + said.name + "' is what " + called(subject.known->tag) +

@@ -118,8 +118,10 @@ Properties merged(Properties known, const Properties& said) {
   return known;
 }
 
-std::string newName(const Tag& known, const std::string& said, bool by_name) {
-  return said.empty() || by_name ? nameOf(known) : said;
+std::string newName(const std::string& name, const Properties& properties, const std::string& said,
+                    bool by_name) {
+  const bool stays = said.empty() || (by_name && isCalled(name, properties, said));
+  return stays ? name : said;
 }
 
 Edit conclude(Decision decision, const std::optional<KnownTag>& known, TagSource source,

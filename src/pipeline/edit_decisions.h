@@ -64,9 +64,10 @@ Edit conclude(Decision decision, const std::optional<KnownTag>& known, TagSource
 /// Properties with those added that were said; see AddTag.
 Properties merged(Properties known, const Properties& said);
 
-/// What a known thing is called once a name was said of it: what it was found by changes nothing,
-/// be it an alias or its name in capitals.
-std::string newName(const Tag& known, const std::string& said, bool by_name);
+/// What a thing of these properties is called once a name was said of it: where it was found by
+/// that name, be it an alias or in capitals, it stays as it is.
+std::string newName(const std::string& name, const Properties& properties, const std::string& said,
+                    bool by_name);
 
 [[noreturn]] void refuse(EditErrorCode code, const std::string& why);
 

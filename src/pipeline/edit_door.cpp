@@ -120,6 +120,7 @@ DoorPlace asGiven(const AddTag& request, const DoorTag& said, const Subject& sub
       subject.known ? findTag(scope.known(), DoorId{idOf(subject.known->tag)}) : nullptr;
   for (const DoorTag& door : scope.known().doors) {
     if ((moves && &door == self) || !isSameDoor(door, said, scope)) continue;
+    if (moves) return {said.pose_map, said.width, &door, "as given"};
     return {door.pose_map, said.width > 0 ? said.width : door.width, &door, "as given"};
   }
   return {said.pose_map, said.width, moves ? self : nullptr, "as given"};
@@ -157,9 +158,9 @@ DoorPlace findPlace(const AddTag& request, const DoorTag& said, const Subject& s
 }
 
 DoorTag withTexts(DoorTag tag, const DoorTag& said, bool by_name) {
-  tag.name = newName(tag, said.name, by_name);
   if (said.state != DoorState::kUnknown) tag.state = said.state;
   tag.properties = merged(std::move(tag.properties), said.properties);
+  tag.name = newName(tag.name, tag.properties, said.name, by_name);
   return tag;
 }
 

@@ -44,11 +44,11 @@ std::optional<KnownTag> findSame(const ObjectTag& said, const EditScope& scope) 
 }
 
 ObjectTag changed(ObjectTag tag, const ObjectTag& said, bool by_name) {
-  tag.name = newName(tag, said.name, by_name);
   if (!said.category.empty()) tag.category = said.category;
   if (said.size != Point2::Zero()) tag.size = said.size;
   if (said.height != 0) tag.height = said.height;
   tag.properties = merged(std::move(tag.properties), said.properties);
+  tag.name = newName(tag.name, tag.properties, said.name, by_name);
   return tag;
 }
 

@@ -93,7 +93,8 @@ class GapSearch {
       if ((!best || gap.cost < best->cost - 1e-9) && leadsAsAsked(gap)) best = &gap;
     }
     if (!best) return std::nullopt;
-    return centered(averaged(*best));
+    const Gap gap = centered(averaged(*best));
+    return (gap.middle - near_).norm() * resolution_ <= query_.reach ? gap : *best;
   }
 
  private:
@@ -179,7 +180,7 @@ class GapSearch {
 
   /// Pixels make the direction of a single pair of them uncertain: that of all the pairs in the
   /// thickness of the wall is better.
-  Gap averaged(Gap gap) const {
+  Gap averaged(const Gap& gap) const {
     Point2 along = Point2::Zero();
     for (const Gap& other : gaps_) {
       const Point2 offset = other.middle - gap.middle;
@@ -189,8 +190,9 @@ class GapSearch {
       if (std::abs(offset.dot(gap.along)) > kRim) continue;
       along += other.along * (cosine < 0 ? -1 : 1);
     }
-    gap.along = along.normalized();
-    return gap;
+    Gap better = gap;
+    better.along = along.normalized();
+    return leadsAsAsked(better) ? better : gap;
   }
 
   /// How far a way between two walls goes on in a direction, at most as far as a wall is thick.
