@@ -15,13 +15,14 @@ void requireName(const std::string& name, const Situation& situation) {
   if (!problemOfName(name).empty()) throw CannotDo(situation.say("bad_name"));
 }
 
-/// The category itself, or with the lowest number that makes it a name of its own.
-template <typename Held>
-std::string firstFreeName(const std::string& category, const std::vector<Held>& held) {
+/// The category itself, or with the lowest number that makes it a name that no other thing has.
+/// @param own  of the thing that is to be named
+template <typename Held, typename Id>
+std::string firstFreeName(const std::string& category, const std::vector<Held>& held, Id own) {
   for (std::size_t number = 1;; ++number) {
     const std::string name = number == 1 ? category : category + "_" + std::to_string(number);
     const bool taken = std::any_of(held.begin(), held.end(), [&](const Held& thing) {
-      return foldCase(thing.name) == foldCase(name);
+      return thing.id != own && foldCase(thing.name) == foldCase(name);
     });
     if (!taken) return name;
   }
@@ -67,7 +68,7 @@ ObjectTag objectMeant(const SaidObject& said, const Situation& situation) {
   if (!said.category.empty()) {
     requireName(said.category, situation);
     object.category = said.category;
-    object.name = firstFreeName(said.category, situation.map.knowledge.objects);
+    object.name = firstFreeName(said.category, situation.map.knowledge.objects, object.id);
     return object;
   }
   requireName(said.name, situation);
@@ -125,7 +126,7 @@ Reply replyTo(const SaidArea& said, const Situation& situation) {
   if (area) tag.id = area->id;
   const bool has_a_name = area && area->source != TagSource::kAutomatic;
   if (said.name.empty() && !has_a_name) {
-    tag.name = firstFreeName(said.category, situation.map.area_map.areas);
+    tag.name = firstFreeName(said.category, situation.map.area_map.areas, tag.id);
   }
   Reply reply{TagToPut{tag, area != nullptr},
               said.name.empty() ? situation.say("area_is_a", {{"category", said.category}})

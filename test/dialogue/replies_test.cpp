@@ -64,7 +64,10 @@ TEST_F(Replies, NamesTheAreaTheRobotIsIn) {
 TEST_F(Replies, ACategoryNamesWhatHasNoGivenName) {
   const auto automatic = put<AreaTag>("this is a kitchen");
   EXPECT_EQ(automatic.category, "kitchen");
-  EXPECT_EQ(automatic.name, "kitchen_2");  // kitchen is taken
+  EXPECT_EQ(automatic.name, "kitchen");
+  robot_->position = {3, 3};
+  EXPECT_EQ(put<AreaTag>("this is a Kitchen").name, "Kitchen_2");  // kitchen is taken
+  robot_->position = {2, 4.8};
   map_.area_map.areas[0].source = TagSource::kManual;
   EXPECT_EQ(put<AreaTag>("this is a kitchen").name, "");
   EXPECT_EQ(say("this is a kitchen").sentence, "I have noted that this is a kitchen.");
