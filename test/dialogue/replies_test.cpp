@@ -65,12 +65,11 @@ TEST_F(Replies, ACategoryNamesWhatHasNoGivenName) {
   const auto automatic = put<AreaTag>("this is a kitchen");
   EXPECT_EQ(automatic.category, "kitchen");
   EXPECT_EQ(automatic.name, "kitchen");
-  robot_->position = {3, 3};
-  EXPECT_EQ(put<AreaTag>("this is a Kitchen").name, "Kitchen_2");  // kitchen is taken
-  robot_->position = {2, 4.8};
   map_.area_map.areas[0].source = TagSource::kManual;
   EXPECT_EQ(put<AreaTag>("this is a kitchen").name, "");
   EXPECT_EQ(say("this is a kitchen").sentence, "I have noted that this is a kitchen.");
+  robot_->position = {3, 3};
+  EXPECT_EQ(put<AreaTag>("this is a Kitchen").name, "Kitchen_2");  // kitchen is taken
 }
 
 TEST_F(Replies, OutsideOfAllAreasASeedIsLaid) {
@@ -288,7 +287,6 @@ TEST_F(Replies, RandomBytesNeverDoHarm) {
     for (char& c : sentence) c = static_cast<char>(random());
     EXPECT_TRUE(codePointsOf(say("where is " + sentence).sentence));
     EXPECT_TRUE(codePointsOf(say(sentence).sentence));
-    EXPECT_FALSE(terseQuestion(sentence + "(") && sentence.empty());
   }
 }
 
