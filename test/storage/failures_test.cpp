@@ -107,6 +107,8 @@ void failEachCall(int error) {
   }
   EXPECT_GT(number, 50);
   EXPECT_LT(number, kMostCalls);
+  testing::Test::RecordProperty("calls_failed_error_" + std::to_string(error), number - 1);
+  testing::Test::RecordProperty("reported_error_" + std::to_string(error), reported);
   EXPECT_GT(reported, number / 2);  // the others are those that nothing depends on
 }
 
@@ -186,6 +188,7 @@ TEST(Store, S1_AReplacementHappensOrNot) {
     if (!was_reached || HasFailure()) break;
   }
   EXPECT_GT(refused_edits, 0);
+  RecordProperty("edits_refused_until_a_fold", refused_edits);
 }
 
 TEST(Store, S5_AFileWhoseSyncFailedIsNotSyncedAgain) {
@@ -262,6 +265,7 @@ TEST(Store, S3_WhereverTheProcessEndsAllThatWasAcknowledgedIsThere) {
     EXPECT_TRUE(is_found(*acknowledged) || is_found(*acknowledged + 1)) << "before call " << number;
   }
   EXPECT_GT(number, 50);
+  RecordProperty("ends", number - 2);
   munmap(acknowledged, sizeof(int));
 }
 
