@@ -31,8 +31,8 @@ void validate(const EditParams& params) {
           "door_snap_dist must lie in (0, 5]", params.door_snap_dist);
   require(params.max_door_width > 0 && params.max_door_width <= 10,
           "max_door_width must lie in (0, 10]", params.max_door_width);
-  require(params.max_clutter_diagonal >= 0 && params.max_clutter_diagonal <= 10,
-          "max_clutter_diagonal must lie in [0, 10]", params.max_clutter_diagonal);
+  require(params.max_clutter_diagonal >= 0 && params.max_clutter_diagonal <= 100,
+          "max_clutter_diagonal must lie in [0, 100]", params.max_clutter_diagonal);
 }
 
 Edit decide(const EditRequest& request, const SemanticMap& map, const EditParams& params) {

@@ -12,12 +12,13 @@
 namespace agrid {
 namespace {
 
-constexpr double kHeadStart = 0.3;   // a known door is meant rather than a place [m of cost]
-constexpr double kWidestCost = 1.5;  // wide borders are meant as well [m]
-constexpr double kSameDoor = 0.15;   // forced so near to a door a tag names it [m]
-constexpr double kUsualDoor = 0.9;   // where nobody says how wide a door is [m]
-constexpr double kWidestPlace = 10;  // wider places are not looked for [m]
-constexpr double kFartherReach = 3;  // how far a refusal looks for a passage to name [m]
+constexpr double kHeadStart = 0.3;     // a known door is meant rather than a place [m of cost]
+constexpr double kWidestCost = 1.5;    // wide borders are meant as well [m]
+constexpr double kSameDoor = 0.15;     // forced so near to a door a tag names it [m]
+constexpr double kUsualDoor = 0.9;     // where nobody says how wide a door is [m]
+constexpr double kWidestPlace = 10;    // wider places are not looked for [m]
+constexpr double kLargestClutter = 5;  // larger obstacles are jambs; bounds what is looked at [m]
+constexpr double kFartherReach = 3;    // how far a refusal looks for a passage to name [m]
 
 /// Where a door is to lie.
 struct DoorPlace {
@@ -88,7 +89,7 @@ NarrowPlaceQuery queryFor(const AddTag& request, const DoorTag& said, const Edit
   query.yaw = headingOf(request, said);
   query.reach = scope.params.door_snap_dist;
   query.max_width = std::min(kWidestPlace, std::max(scope.params.max_door_width, said.width * 1.2));
-  query.max_clutter_diagonal = scope.params.max_clutter_diagonal;
+  query.max_clutter_diagonal = std::min(kLargestClutter, scope.params.max_clutter_diagonal);
   return query;
 }
 

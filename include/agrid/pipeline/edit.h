@@ -52,7 +52,8 @@ struct EditParams {
   /// Wider places are not taken for doors, unless the tag says that it is that wide [m], in (0,
   /// 10].
   double max_door_width = 2.6;
-  /// As AreaParams::max_clutter_diagonal: smaller obstacles are no jambs [m].
+  /// As AreaParams::max_clutter_diagonal: smaller obstacles are no jambs, but those from 5 m on are
+  /// [m], in [0, 100].
   double max_clutter_diagonal = 1.0;
   /// Areas and objects in unknown space are accepted, with a warning; areas wait there.
   bool allow_unknown = true;
