@@ -2,9 +2,10 @@
 // Prints how often areas keep their ids, and given names their rooms, while maps change: maps that
 // a robot makes in 100 steps, with new noise in each, and drawn offices that are rebuilt. usage:
 // agrid_identity [--shared DIR] [--steps N] [--offices N] [--only NAME]
-//                       [--variant MAJORITY,MIN_SHARE,MIN_GIVEN_SHARE]... [--losses]
-// Without --shared: drawn offices only. What counts as the same area is told in
-// benchmark/identity/same_rooms.h.
+//                       [--variant MAJORITY,MIN_SHARE,MIN_GIVEN_SHARE[,MIN_RETURN_SHARE]]...
+//                       [--large] [--losses]
+// Without --shared: drawn offices only. --large: the cost on a map of 25 million pixels, too. What
+// counts as the same area is told in benchmark/identity/same_rooms.h.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -44,6 +45,7 @@ struct Request {
   int steps = 100;
   int offices = 10;
   bool losses = false;
+  bool large = false;
   std::vector<Variant> variants{{2. / 3, {}}, {1. / 2, {}}, {0.8, {}}};
 };
 
@@ -209,12 +211,34 @@ void printOffices(const Request& request) {
   sums.print("offices", request.variants);
 }
 
-/// From "MAJORITY,MIN_SHARE,MIN_GIVEN_SHARE".
+/// What it costs to recognise the same drawn office, with noise, beside finding its areas.
+void printCost(int side) {
+  agrid::OfficeParams params;
+  params.size = side;
+  params.seed = 7;
+  const agrid::OccupancyGrid grid = agrid::generateOffice(params).grid;
+  const agrid::Knowledge known = recognise({}, "", annotated(OccupancyMap(grid)), "map").knowledge;
+  const OccupancyMap map(agrid::bench::withNoise(grid, 1));
+  double start = processorSeconds();
+  const agrid::SemanticMap fresh = annotated(map);
+  const double area_seconds = processorSeconds() - start;
+  start = processorSeconds();
+  const agrid::Recognition found = recognise(known, "map", fresh, "map");
+  const double seconds = processorSeconds() - start;
+  std::size_t kept = 0;
+  for (const agrid::AreaTag& tag : known.areas) kept += findTag(found.knowledge, tag.id) ? 1 : 0;
+  std::printf(
+      "%.0f million pixels: %.2f s to find the areas, %.3f s to recognise them; %zu of %zu "
+      "areas and %zu doors\n",
+      1e-6 * side * side, area_seconds, seconds, kept, known.areas.size(), known.doors.size());
+}
+
+/// From "MAJORITY,MIN_SHARE,MIN_GIVEN_SHARE[,MIN_RETURN_SHARE]".
 Variant readVariant(const std::string& word) {
   Variant variant;
-  if (std::sscanf(word.c_str(), "%lf,%lf,%lf", &variant.majority, &variant.params.min_share,
-                  &variant.params.min_given_share) != 3) {
-    throw std::runtime_error("a variant is MAJORITY,MIN_SHARE,MIN_GIVEN_SHARE");
+  if (std::sscanf(word.c_str(), "%lf,%lf,%lf,%lf", &variant.majority, &variant.params.min_share,
+                  &variant.params.min_given_share, &variant.params.min_return_share) < 3) {
+    throw std::runtime_error("a variant is MAJORITY,MIN_SHARE,MIN_GIVEN_SHARE[,MIN_RETURN_SHARE]");
   }
   return variant;
 }
@@ -226,10 +250,12 @@ Request readRequest(int argc, char** argv) {
     const std::string word = argv[i];
     if (word == "--losses") {
       request.losses = true;
+    } else if (word == "--large") {
+      request.large = true;
     } else if (i + 1 == argc) {
       throw std::runtime_error(
           "usage: agrid_identity [--shared DIR] [--steps N] [--offices N] "
-          "[--only NAME] [--variant M,S,G]... [--losses]");
+          "[--only NAME] [--variant M,S,G]... [--large] [--losses]");
     } else if (word == "--shared") {
       request.shared = argv[++i];
     } else if (word == "--only") {
@@ -257,6 +283,7 @@ int main(int argc, char** argv) {
     printReplays(request, agrid::bench::Seeing::kDisc, "disc");
     printReplays(request, agrid::bench::Seeing::kLaser, "laser");
     printOffices(request);
+    if (request.large) printCost(5000);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "agrid_identity: %s\n", error.what());
     return 1;

@@ -100,6 +100,10 @@ TEST(OfficeIdentity, TagsOfARecognisedMapFindTheirAreas) {
       EXPECT_EQ(tagged.area_map.areas[i].id, found.knowledge.areas[i].id) << "seed " << seed;
       EXPECT_EQ(tagged.area_map.areas[i].name, found.knowledge.areas[i].name) << "seed " << seed;
     }
+    ASSERT_EQ(tagged.area_map.doors.size(), found.knowledge.doors.size()) << "seed " << seed;
+    for (std::size_t i = 0; i < tagged.area_map.doors.size(); ++i) {
+      EXPECT_EQ(tagged.area_map.doors[i].id, found.knowledge.doors[i].id) << "seed " << seed;
+    }
     EXPECT_EQ(tagged.knowledge.pending.size(), found.knowledge.pending.size()) << "seed " << seed;
   }
 }
