@@ -13,11 +13,11 @@ namespace agrid {
 struct RecognitionParams {
   // A former area is the one that has a large enough share of its pixels, and of whose pixels, as
   // far as they lay in any former area, it has a large enough share, both in (0, 1].
-  double min_share = 0.34;        ///< for automatic areas; of several the best pairs in all
-  double min_given_share = 0.67;  ///< for given tags; below it is doubt
-  double min_return_share = 0.75; ///< for given tags that wait: many small steps lead astray
+  double min_share = 0.34;         ///< for automatic areas; of several the best pairs in all
+  double min_given_share = 0.67;   ///< for given tags; below it is doubt
+  double min_return_share = 0.75;  ///< for given tags that wait: many small steps lead astray
   /// What both have in common is at least this share of the smaller of the two, in (0, 1].
-  double min_containment = 0.5;
+  double min_containment = 0.3;
   /// At least this share of the former outline lies on the new map, in [0, 1].
   double min_visible = 0.1;
   /// The middle of a door moves at most so far [m] ...
