@@ -100,13 +100,13 @@ struct Store::State {
   }
 
   /// What was not stored must not be found later. Should the file refuse to be cut, the next
-  /// journal says where it ends.
+  /// journal or snapshot says where it ends.
   void abandonJournal(const std::string& file, bool is_new) {
     if (is_new && directory.remove(file)) {
       disk.journals.pop_back();
     } else {
-      const int refused = ftruncate(journal.get(), static_cast<off_t>(journal_size));
-      static_cast<void>(refused);
+      const bool is_cut = ftruncate(journal.get(), static_cast<off_t>(journal_size)) == 0;
+      if (!is_cut) uncut_sequence = attempted_sequence;
     }
     journal.close();
   }
@@ -121,6 +121,7 @@ struct Store::State {
       if (!edit.empty()) records += journalLine(++sequence, edit);
     }
     if (records.empty()) return;
+    attempted_sequence = sequence;
     write(records);
     disk.sequence = sequence;
     disk.journals.back().last_sequence = sequence;
@@ -147,7 +148,8 @@ struct Store::State {
   void fold(const StoredMap& map) {
     checkWritable();
     checkStorable(map.knowledge);
-    const std::string text = snapshotText({map, disk.history, disk.sequence});
+    const std::uint64_t sequence = std::max(disk.sequence, uncut_sequence);
+    const std::string text = snapshotText({map, disk.history, sequence});
     checkConflict(text);
     const std::string temporary = directory.writeTemporary(files.temporary_stem, text);
     try {
@@ -162,7 +164,7 @@ struct Store::State {
       directory.remove(temporary);
       throw;
     }
-    disk.snapshot_sequence = disk.sequence;
+    disk.snapshot_sequence = disk.sequence = sequence;
     disk.snapshot_checksum = checksumOf(text);
     disk.snapshot_bytes = text.size();
     journal.close();
@@ -216,8 +218,10 @@ struct Store::State {
   FileDescriptor journal;
   std::uint64_t next_journal = 1;
   std::uint64_t journal_size = 0;  ///< what of the open one is acknowledged [bytes]
-  bool must_fold = false;          ///< before anything is appended
-  bool lost_journal = false;       ///< somebody removed one: what it held must be folded
+  std::uint64_t attempted_sequence = 0;
+  std::uint64_t uncut_sequence = 0;  ///< up to which journals may hold what was refused
+  bool must_fold = false;            ///< before anything is appended
+  bool lost_journal = false;         ///< somebody removed one: what it held must be folded
 };
 
 Store::Store(const std::string& directory, const std::string& name, const StoreOptions& options)
