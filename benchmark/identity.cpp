@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints how often areas keep their ids, and given names their rooms, while maps change: maps that
-// a robot makes in 100 steps, with new noise in each, and drawn offices that are rebuilt. usage:
-// agrid_identity [--shared DIR] [--steps N] [--offices N] [--only NAME]
+// a robot makes in 100 steps, with new noise in each, and drawn offices that are rebuilt. What
+// counts as the same area is told in benchmark/identity/same_rooms.h.
+//
+// usage: agrid_identity [--shared DIR] [--steps N] [--offices N] [--only NAME]
 //                       [--variant MAJORITY,MIN_SHARE,MIN_GIVEN_SHARE[,MIN_RETURN_SHARE]]...
 //                       [--large] [--losses]
-// Without --shared: drawn offices only. --large: the cost on a map of 25 million pixels, too. What
-// counts as the same area is told in benchmark/identity/same_rooms.h.
+//
+// Without --shared: drawn offices only. --large: the cost on a map of 25 million pixels, too.
+// --losses: each id and name that was lost, for the first variant.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
