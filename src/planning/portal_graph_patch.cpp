@@ -165,7 +165,8 @@ void PortalGraphPatch::free(const std::vector<Pixel>& freed) {
   }
 }
 
-/// The freed pixels of one class that are connected within the box, and the nodes of this class beside them.
+/// The freed pixels of one class that are connected within the box, and the nodes of this class
+/// beside them.
 std::vector<Pixel> PortalGraphPatch::freePiece(Pixel from, std::set<std::uint32_t>& beside) {
   const std::uint32_t class_of = classes_.classAt(from);
   std::vector<Pixel> piece{from};

@@ -63,7 +63,7 @@ class PortalGraphPatch {
   const FreeSpace& free_;
   const RegionClasses& classes_;
   bool changed_ = false;
-  PixelBox box_;  ///< that is looked at
+  PixelBox box_;                   ///< that is looked at
   std::set<std::uint32_t> moved_;  ///< nodes of which pixels went to other nodes, in this box
   RenewedNodes renewed_;
   std::set<std::uint32_t> relisted_;

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <queue>
 #include <utility>
+
+#include "planning/known_sights.h"
 
 namespace agrid::planning {
 namespace {
@@ -21,6 +24,11 @@ bool canBendTowards(const TurningPoint& point, const Portal& portal) {
          point.isTangentTo(lowerCornerOf(b.high));
 }
 
+Sights sightsBetween(const FreeSpace& free, const FreeSpace& wider, FinePoint a, FinePoint b) {
+  const bool seen = free.canSee(a, b);
+  return {true, seen, seen || wider.canSee(a, b)};
+}
+
 /// Whether two portals of a region lead to the same other one.
 bool leadToTheSame(const Portal& a, const Portal& b) {
   return std::minmax({a.nodes[0], a.nodes[1]}) == std::minmax({b.nodes[0], b.nodes[1]});
@@ -30,11 +38,13 @@ bool leadToTheSame(const Portal& a, const Portal& b) {
 
 RegionRoads::RegionRoads(const FreeSpace& free, std::uint32_t region,
                          std::vector<TurningPoint> points,
-                         const std::vector<const Portal*>& portals)
+                         const std::vector<const Portal*>& portals, const FormerRegion* former)
     : region_(region), points_(std::move(points)) {
   for (const Portal* portal : portals) crossings_.push_back(portal->crossing());
-  findEdges(free);
-  const std::vector<View> views = findViews(free, portals);
+  const KnownSights known =
+      former == nullptr ? KnownSights() : KnownSights(*former, region, points_, portals);
+  findEdges(free, known);
+  const std::vector<View> views = findViews(free, portals, known);
   path_.reserve(portals.size() * nodeCount());
   least_.reserve(portals.size() * nodeCount());
   next_.reserve(portals.size() * nodeCount());
@@ -44,14 +54,15 @@ RegionRoads::RegionRoads(const FreeSpace& free, std::uint32_t region,
   }
 }
 
-void RegionRoads::findEdges(const FreeSpace& free) {
+void RegionRoads::findEdges(const FreeSpace& free, const KnownSights& known) {
   std::vector<std::vector<Edge>> edges_of(points_.size());
   for (std::size_t a = 0; a < points_.size(); ++a) {
     for (std::size_t b = a + 1; b < points_.size(); ++b) {
       const FinePoint from = points_[a].at;
       const FinePoint to = points_[b].at;
       if (!points_[a].isTangentTo(to) || !points_[b].isTangentTo(from)) continue;
-      if (!free.canSee(from, to)) continue;
+      const std::optional<bool> seen = known.edge(a, b);
+      if (!(seen ? *seen : free.canSee(from, to))) continue;
       const auto length = static_cast<float>(distancePx(points_[a].corner(), points_[b].corner()));
       edges_of[a].push_back({static_cast<Node>(b), length});
       edges_of[b].push_back({static_cast<Node>(a), length});
@@ -64,14 +75,17 @@ void RegionRoads::findEdges(const FreeSpace& free) {
   }
 }
 
-std::vector<RegionRoads::View> RegionRoads::findViews(
-    const FreeSpace& free, const std::vector<const Portal*>& portals) const {
+std::vector<RegionRoads::View> RegionRoads::findViews(const FreeSpace& free,
+                                                      const std::vector<const Portal*>& portals,
+                                                      const KnownSights& known) {
+  const Look look{free, portals, known};
   std::vector<View> views(portals.size());
+  sights_.resize(portals.size() * nodeCount());
   for (std::size_t i = 0; i < portals.size(); ++i) {
-    lookAtPoints(free, *portals[i], views[i]);
+    lookAtPoints(look, i, views[i]);
     for (std::size_t j = i + 1; j < portals.size(); ++j) {
       // Straight there and back is a sight of the other region, too, wherever it passes.
-      if (!leadToTheSame(*portals[i], *portals[j])) lookAtPortal(free, portals, {i, j}, views);
+      if (!leadToTheSame(*portals[i], *portals[j])) lookAtPortal(look, {i, j}, views);
     }
   }
   return views;
@@ -79,40 +93,44 @@ std::vector<RegionRoads::View> RegionRoads::findViews(
 
 /// Where the free space is narrowed by less, what is seen from any place of a border is seen from
 /// its middle: that place's sight, moved by up to the portal's reach.
-void RegionRoads::lookAtPoints(const FreeSpace& free, const Portal& portal, View& view) const {
-  const FreeSpace wider = free.narrowedLess(portal.reach + kTwoHalfDiagonals);
+void RegionRoads::lookAtPoints(const Look& look, std::size_t rank, View& view) {
+  const Portal& portal = *look.portals[rank];
+  const FreeSpace wider = look.free.narrowedLess(portal.reach + kTwoHalfDiagonals);
   const FinePoint from = portal.crossing();
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const TurningPoint& point = points_[i];
     if (!portal.canLeadTo(point.corner(), region_) || !canBendTowards(point, portal)) continue;
     const auto node = static_cast<Node>(i);
-    const bool seen = free.canSee(from, point.at);
-    if (seen && point.isTangentTo(from)) {
+    const std::optional<Sights> known = look.known.from(rank, i);
+    const Sights sights = known ? *known : sightsBetween(look.free, wider, from, point.at);
+    sights_[rank * nodeCount() + i] = sights;
+    if (sights.seen && point.isTangentTo(from)) {
       view.nodes.push_back({node, static_cast<float>(distancePx(from, point.corner()))});
     }
-    if (seen || wider.canSee(from, point.at)) {
+    if (sights.nearly) {
       view.nearly.push_back({node, static_cast<float>(portal.distanceToBorder(point.corner()))});
     }
   }
 }
 
-void RegionRoads::lookAtPortal(const FreeSpace& free, const std::vector<const Portal*>& portals,
-                               std::array<std::size_t, 2> ranks, std::vector<View>& views) const {
-  const Portal& a = *portals[ranks[0]];
-  const Portal& b = *portals[ranks[1]];
+void RegionRoads::lookAtPortal(const Look& look, std::array<std::size_t, 2> ranks,
+                               std::vector<View>& views) {
+  const Portal& a = *look.portals[ranks[0]];
+  const Portal& b = *look.portals[ranks[1]];
   const FinePoint from = a.crossing();
   const FinePoint to = b.crossing();
   // Anywhere on the other border, hence the border's ends.
   if (!a.canLeadToBorder(b, region_) || !b.canLeadToBorder(a, region_)) return;
-  const bool seen = free.canSee(from, to);
-  const double reach = std::max(a.reach, b.reach);
-  if (!seen && !free.narrowedLess(reach + kTwoHalfDiagonals).canSee(from, to)) return;
+  const FreeSpace wider = look.free.narrowedLess(std::max(a.reach, b.reach) + kTwoHalfDiagonals);
+  const std::optional<Sights> known = look.known.from(ranks[0], nodeOfPortal(ranks[1]));
+  const Sights sights = known ? *known : sightsBetween(look.free, wider, from, to);
   const auto length = static_cast<float>(distancePx(from, to));
   const auto least = static_cast<float>(a.distanceToBorder(b));
   for (const std::size_t i : {0U, 1U}) {
     const Node node = nodeOfPortal(ranks[1 - i]);
-    if (seen) views[ranks[i]].nodes.push_back({node, length});
-    views[ranks[i]].nearly.push_back({node, least});
+    sights_[ranks[i] * nodeCount() + node] = sights;
+    if (sights.seen) views[ranks[i]].nodes.push_back({node, length});
+    if (sights.nearly) views[ranks[i]].nearly.push_back({node, least});
   }
 }
 

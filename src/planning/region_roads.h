@@ -21,6 +21,16 @@ enum class Measure {
   kLeast  ///< no path to any place of the border is shorter
 };
 
+/// What was seen of a node from a portal's middle; one byte, since there are as many as pairs of
+/// them.
+struct Sights {
+  bool looked : 1;
+  bool seen : 1;
+  bool nearly : 1;  ///< seen, or where the free space is wider by the portal's reach
+};
+struct FormerRegion;
+class KnownSights;
+
 /// The shortest paths within one region: between the portals on its border, and from any of its
 /// turning points to them. A visibility graph of the turning points (Lozano-Perez and Wesley 1979),
 /// with only the edges along which a shortest path can bend at both ends, and a shortest-path tree
@@ -39,8 +49,9 @@ class RegionRoads {
   /// @param region  its node in the portals' graph
   /// @param points  all turning points within reach of the region's paths
   /// @param portals  of the region; fewer than 65536 nodes in all
+  /// @param former  spares looking where free space is as it was there
   RegionRoads(const FreeSpace& free, std::uint32_t region, std::vector<TurningPoint> points,
-              const std::vector<const Portal*>& portals);
+              const std::vector<const Portal*>& portals, const FormerRegion* former = nullptr);
 
   const std::vector<TurningPoint>& points() const { return points_; }
   std::size_t portalCount() const { return crossings_.size(); }
@@ -57,6 +68,10 @@ class RegionRoads {
   /// The node after `node` on the path to the middle of a portal.
   Node next(std::size_t portal, Node node) const { return next_[portal * nodeCount() + node]; }
 
+  Sights sights(std::size_t portal, Node node) const {
+    return sights_[portal * nodeCount() + node];
+  }
+
   /// From a turning point to others.
   const Edge* edgesBegin(Node node) const { return edges_.data() + edges_from_[node]; }
   const Edge* edgesEnd(Node node) const { return edges_.data() + edges_from_[node + 1U]; }
@@ -67,13 +82,17 @@ class RegionRoads {
     std::vector<Edge> nodes;   ///< from its middle
     std::vector<Edge> nearly;  ///< from anywhere on its border, and perhaps more; least lengths
   };
+  struct Look {
+    const FreeSpace& free;
+    const std::vector<const Portal*>& portals;
+    const KnownSights& known;
+  };
   std::size_t nodeCount() const { return points_.size() + crossings_.size(); }
-  void findEdges(const FreeSpace& free);
-  std::vector<View> findViews(const FreeSpace& free,
-                              const std::vector<const Portal*>& portals) const;
-  void lookAtPoints(const FreeSpace& free, const Portal& portal, View& view) const;
-  void lookAtPortal(const FreeSpace& free, const std::vector<const Portal*>& portals,
-                    std::array<std::size_t, 2> ranks, std::vector<View>& views) const;
+  void findEdges(const FreeSpace& free, const KnownSights& known);
+  std::vector<View> findViews(const FreeSpace& free, const std::vector<const Portal*>& portals,
+                              const KnownSights& known);
+  void lookAtPoints(const Look& look, std::size_t rank, View& view);
+  void lookAtPortal(const Look& look, std::array<std::size_t, 2> ranks, std::vector<View>& views);
   void findPaths(const std::vector<View>& views, std::size_t rank);
   void findLeast(const std::vector<const Portal*>& portals, const std::vector<View>& views,
                  std::size_t rank);
@@ -84,9 +103,10 @@ class RegionRoads {
   std::vector<FinePoint> crossings_;
   std::vector<std::uint32_t> edges_from_;
   std::vector<Edge> edges_;
-  std::vector<float> path_;   ///< portals x nodes
-  std::vector<float> least_;  ///< portals x nodes
-  std::vector<Node> next_;    ///< portals x nodes
+  std::vector<float> path_;     ///< portals x nodes
+  std::vector<float> least_;    ///< portals x nodes
+  std::vector<Node> next_;      ///< portals x nodes
+  std::vector<Sights> sights_;  ///< portals x nodes
 };
 
 }  // namespace agrid::planning

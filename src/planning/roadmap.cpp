@@ -5,9 +5,11 @@
 #include <atomic>
 #include <cstdlib>
 #include <future>
+#include <iterator>
 #include <thread>
 #include <utility>
 
+#include "planning/known_sights.h"
 #include "planning/portal_graph_patch.h"
 
 namespace agrid::planning {
@@ -76,13 +78,12 @@ std::vector<TurningPoint> pointsOfRegion(const FreeSpace& free, const PortalGrap
   return points;
 }
 
-RegionRoads roadsOf(const FreeSpace& free, const PortalGraph& regions, std::uint32_t region,
-                    std::vector<TurningPoint> points) {
+std::vector<const Portal*> portalsOf(const PortalGraph& regions, std::uint32_t region) {
   std::vector<const Portal*> portals;
   for (const std::uint32_t portal : regions.portalsOf(region)) {
     portals.push_back(&regions.portals()[portal]);
   }
-  return {free, region, std::move(points), portals};
+  return portals;
 }
 
 bool overlapsAny(const PixelBox& box, const std::vector<PixelBox>& boxes) {
@@ -157,8 +158,9 @@ void Roadmap::buildRoads(const FreeSpace& free, const std::vector<TurningPoint>&
   std::vector<std::shared_ptr<const LazyRoads>> roads(regions_->nodeCount());
   forEachInParallel(roads.size(), [&](std::size_t i) {
     stop.check();
+    const auto region = static_cast<std::uint32_t>(i);
     roads[i] = std::make_shared<const LazyRoads>(
-        roadsOf(free, *regions_, static_cast<std::uint32_t>(i), std::move(points_of[i])));
+        RegionRoads(free, region, std::move(points_of[i]), portalsOf(*regions_, region)));
   });
   roads_ = PagedArray<std::shared_ptr<const LazyRoads>, 4>(std::move(roads));
 }
@@ -180,11 +182,34 @@ void Roadmap::renewRoads(const Roadmap& base, const Change& change,
       roads_.edit(region) = base.roads_[region];
       continue;
     }
-    const auto make = [free = change.free, regions = regions_, region] {
-      return roadsOf(free, *regions, region, pointsOfRegion(free, *regions, region));
-    };
-    roads_.edit(region) = std::make_shared<const LazyRoads>(std::function<RegionRoads()>(make));
+    roads_.edit(region) = std::make_shared<const LazyRoads>(renewal(region, base, change));
   }
+}
+
+/// Of a region that has pixels of one region of the base, and none else.
+std::function<RegionRoads()> Roadmap::renewal(std::uint32_t region, const Roadmap& base,
+                                              const Change& change) const {
+  const PixelBox around = widened(regions_->boxOf(region), regions_->reachOf(region) + 2);
+  std::vector<PixelBox> changed;
+  std::copy_if(change.from_base.begin(), change.from_base.end(), std::back_inserter(changed),
+               [&](const PixelBox& box) { return overlap(box, around); });
+  const std::vector<const Portal*> portals = portalsOf(*regions_, region);
+  std::uint32_t in_base = kNoNode;
+  if (!portals.empty()) {
+    const Portal& portal = *portals.front();
+    const Pixel pixel = portal.sideOf(region) == 0 ? portal.middle : portal.beyond;
+    in_base = base.regions_->nodeAt(change.free.geometry().index(pixel));
+  }
+  return [free = change.free, regions = regions_, base_regions = base.regions_,
+          base_roads = in_base == kNoNode ? nullptr : base.roads_[in_base], in_base, region,
+          changed = std::move(changed)] {
+    FormerRegion former;
+    if (base_roads) {
+      former = {&base_roads->get(), in_base, portalsOf(*base_regions, in_base), changed};
+    }
+    return RegionRoads(free, region, pointsOfRegion(free, *regions, region),
+                       portalsOf(*regions, region), base_roads ? &former : nullptr);
+  };
 }
 
 }  // namespace agrid::planning

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <set>
 #include <vector>
@@ -70,6 +71,8 @@ class Roadmap {
   void rankPortalsOf(std::uint32_t region);
   void renewRoads(const Roadmap& base, const Change& change,
                   const std::set<std::uint32_t>& relisted);
+  std::function<RegionRoads()> renewal(std::uint32_t region, const Roadmap& base,
+                                       const Change& change) const;
   void buildRoads(const FreeSpace& free, const std::vector<TurningPoint>& points,
                   const StopCheck& stop);
 
