@@ -103,6 +103,8 @@ nav_msgs::OccupancyGrid areasToMsg(const agrid::SemanticMap& map, const std_msgs
 agrid_map::Tag tagOf(const agrid::Area& area, const std_msgs::Header& header);
 agrid_map::Tag tagOf(const agrid::Door& door, const std_msgs::Header& header);
 agrid_map::Tag tagOf(const agrid::ObjectTag& object, const std_msgs::Header& header);
+/// What waits, in its own frame, with the reason as the property `pending`.
+agrid_map::Tag tagOf(const agrid::PendingTag& pending, const std_msgs::Header& header);
 
 // --- plans --------------------------------------------------------------------------------------
 

@@ -7,7 +7,9 @@
 #include <XmlRpcValue.h>
 
 #include "agrid/map/occupancy_map.h"
+#include "agrid/dialogue/replies.h"
 #include "agrid/pipeline.h"
+#include "agrid/pipeline/edit.h"
 #include "agrid/planning/planner.h"
 
 namespace agrid_map_ros {
@@ -23,11 +25,29 @@ struct NodeParams {
   bool strict_params = true;   ///< false: a bad parameter is logged and its default used
 };
 
+/// Where what people say is kept; read at start.
+struct StorageParams {
+  std::string directory;   ///< empty: agrid_map in $ROS_HOME or ~/.ros
+  std::string name;        ///< of the file, without .yaml; empty: the node's name
+  bool persistent = true;  ///< false: only in memory
+  bool read_only = false;  ///< every edit is refused
+};
+
+/// How what people say is taken.
+struct DialogueOptions {
+  std::string click_tag;     ///< what a clicked point means; empty: nothing
+  std::string grammar_file;  ///< of sentences; empty: English; read at start
+};
+
 /// Every parameter of the nodelet.
 struct Parameters {
   agrid::MapParams map;
   agrid::PipelineParams pipeline;
   agrid::PlannerParams planner;
+  agrid::EditParams edits;  ///< width of doors and size of clutter are those of the areas
+  agrid::dialogue::DialogueParams dialogue;
+  DialogueOptions hearing;
+  StorageParams storage;
   NodeParams node;
 };
 

@@ -30,22 +30,32 @@ void AGridNodelet::onInit() {
   const std::string error = settings_->reload();
   listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, nh);
   outputs_ = std::make_unique<Outputs>(private_nh);
+  const auto warn = [this](const std::string& warning) { log_.warn("map", warning); };
+  keeper_ = std::make_unique<PlaceKeeper>(PlaceKeeper::Listeners{
+      [this](const SnapshotPtr& snapshot) { outputs_->offer(snapshot); },
+      [this](const std::string& warning) { log_.warn("tags", warning); },
+      [this](const std::string& failure) { log_.error("storage", failure); }});
+  const auto read = settings_->parameters();
+  const Parameters parameters = read ? *read : Parameters{};
+  if (error.empty()) keeper_->open(parameters.storage, private_nh.getNamespace());
   builder_ = std::make_unique<MapBuilder>(
-      MapBuilder::Listeners{[this](const SnapshotPtr& snapshot) {
-                              outputs_->publish(*snapshot);
-                              NODELET_INFO_STREAM(summary(*snapshot));
-                            },
-                            [this](const std::string& warning) { log_.warn("map", warning); },
-                            [this](const std::string& failure) { log_.error("map", failure); }});
-  if (error.empty()) builder_->setParameters(settings_->parameters());
+      *keeper_, MapBuilder::Listeners{
+                    [this](const SnapshotPtr& snapshot) {
+                      NODELET_INFO_STREAM(summary(*snapshot));
+                    },
+                    warn, [this](const std::string& failure) { log_.error("map", failure); }});
+  if (error.empty()) builder_->setParameters(read);
+  hearing_ = std::make_unique<Hearing>(
+      nh, private_nh, Hearing::Deps{*keeper_, log_, transforms_, cancelled_},
+      parameters.hearing.grammar_file);
   services_ = std::make_unique<Services>(
-      private_nh, Services::Deps{*settings_, *builder_, *outputs_, log_, transforms_, cancelled_});
-  const auto parameters = settings_->parameters();
+      private_nh, Services::Deps{*settings_, *keeper_, *builder_, *hearing_, *outputs_, log_,
+                                 transforms_, cancelled_});
   area_watch_ =
-      std::make_unique<AreaWatch>(private_nh, AreaWatch::Deps{*builder_, transforms_, cancelled_},
-                                  (parameters ? *parameters : Parameters{}).node.area_period);
-  diagnostics_ =
-      std::make_unique<Diagnostics>(private_nh, Diagnostics::Deps{*settings_, *builder_, log_});
+      std::make_unique<AreaWatch>(private_nh, AreaWatch::Deps{*keeper_, transforms_, cancelled_},
+                                  parameters.node.area_period);
+  diagnostics_ = std::make_unique<Diagnostics>(
+      private_nh, Diagnostics::Deps{*settings_, *keeper_, *builder_, log_});
   intake_ = std::make_unique<MapIntake>(nh, MapIntake::Deps{*settings_, *builder_, log_});
 }
 

@@ -11,9 +11,11 @@
 #include "ros/area_watch.h"
 #include "ros/diagnostics.h"
 #include "ros/event_log.h"
+#include "ros/hearing.h"
 #include "ros/map_builder.h"
 #include "ros/map_intake.h"
 #include "ros/outputs.h"
+#include "ros/place_keeper.h"
 #include "ros/services.h"
 #include "ros/settings.h"
 
@@ -36,7 +38,9 @@ class AGridNodelet : public nodelet::Nodelet {
   std::unique_ptr<tf2_ros::TransformListener> listener_;
   std::unique_ptr<Settings> settings_;
   std::unique_ptr<Outputs> outputs_;
+  std::unique_ptr<PlaceKeeper> keeper_;
   std::unique_ptr<MapBuilder> builder_;
+  std::unique_ptr<Hearing> hearing_;
   std::unique_ptr<Services> services_;
   std::unique_ptr<AreaWatch> area_watch_;
   std::unique_ptr<Diagnostics> diagnostics_;

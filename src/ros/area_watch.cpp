@@ -23,7 +23,7 @@ AreaWatch::AreaWatch(ros::NodeHandle& private_nh, const Deps& deps, double perio
                                           [this](const ros::SteadyTimerEvent&) { look(); })) {}
 
 void AreaWatch::look() {
-  const SnapshotPtr snapshot = deps_.builder.snapshot();
+  const SnapshotPtr snapshot = deps_.keeper.snapshot();
   if (!snapshot) return;
   try {
     // nobody waits for an answer here, so what is not known yet is looked up next time

@@ -13,7 +13,7 @@
 
 #include <agrid_map/Area.h>
 
-#include "ros/map_builder.h"
+#include "ros/place_keeper.h"
 
 namespace agrid_map_ros {
 
@@ -21,9 +21,9 @@ namespace agrid_map_ros {
 /// is new, if TF knows where the robot is. Outside every area: an Area with id 0.
 class AreaWatch {
  public:
-  /// @param builder, transforms, cancelled  must outlive this
+  /// @param keeper, transforms, cancelled  must outlive this
   struct Deps {
-    const MapBuilder& builder;
+    const PlaceKeeper& keeper;
     const tf2::BufferCore& transforms;
     const std::atomic<bool>& cancelled;
   };

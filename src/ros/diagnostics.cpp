@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/diagnostics.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -29,6 +30,8 @@ void describe(DiagnosticStatus& status, const Snapshot& snapshot) {
   add(status, "cells", std::to_string(map.grid().cellCount()));
   add(status, "areas", std::to_string(map.area_map.areas.size()));
   add(status, "doors", std::to_string(map.area_map.doors.size()));
+  add(status, "objects", std::to_string(map.knowledge.objects.size()));
+  add(status, "waiting tags", std::to_string(map.knowledge.pending.size()));
 }
 
 /// A sentence for the state and how bad it is.
@@ -54,15 +57,18 @@ void judge(DiagnosticStatus& status, MapBuilder::State state, bool has_map) {
 
 }  // namespace
 
-DiagnosticStatus diagnose(const std::string& parameter_error, MapBuilder::State state,
-                          const SnapshotPtr& snapshot, const EventLog& log) {
+DiagnosticStatus diagnose(const Findings& findings, const EventLog& log) {
   DiagnosticStatus status;
-  judge(status, state, snapshot != nullptr);
-  if (!parameter_error.empty()) {
-    status.level = DiagnosticStatus::ERROR;
-    status.message = "bad parameters: " + parameter_error;
+  judge(status, findings.state, findings.snapshot != nullptr);
+  if (!findings.storage_problem.empty()) {
+    status.level = std::max(status.level, static_cast<std::uint8_t>(DiagnosticStatus::WARN));
+    status.message += "; what people say is not kept: " + findings.storage_problem;
   }
-  if (snapshot) describe(status, *snapshot);
+  if (!findings.parameter_error.empty()) {
+    status.level = DiagnosticStatus::ERROR;
+    status.message = "bad parameters: " + findings.parameter_error;
+  }
+  if (findings.snapshot) describe(status, *findings.snapshot);
   add(status, "errors", std::to_string(log.errorCount()));
   add(status, "last error", log.lastError());
   return status;
@@ -79,7 +85,9 @@ void Diagnostics::publish() {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = ros::Time::now();
   array.status.push_back(
-      diagnose(deps_.settings.error(), deps_.builder.state(), deps_.builder.snapshot(), deps_.log));
+      diagnose({deps_.settings.error(), deps_.keeper.storageProblem(), deps_.builder.state(),
+                deps_.keeper.snapshot()},
+               deps_.log));
   array.status.back().name = node_name_ + ": map";
   publisher_.publish(array);
 }

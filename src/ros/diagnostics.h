@@ -15,11 +15,13 @@
 namespace agrid_map_ros {
 
 /// What /diagnostics says of a node.
-/// @param parameter_error  empty: the parameters are fine
-/// @param snapshot  nullptr: no map yet
-diagnostic_msgs::DiagnosticStatus diagnose(const std::string& parameter_error,
-                                           MapBuilder::State state, const SnapshotPtr& snapshot,
-                                           const EventLog& log);
+struct Findings {
+  std::string parameter_error;  ///< empty: the parameters are fine
+  std::string storage_problem;  ///< why nothing can be kept; empty: it can
+  MapBuilder::State state = MapBuilder::State::kWaiting;
+  SnapshotPtr snapshot;  ///< nullptr: no map yet
+};
+diagnostic_msgs::DiagnosticStatus diagnose(const Findings& findings, const EventLog& log);
 
 /// Publishes /diagnostics once a second.
 class Diagnostics {
@@ -27,6 +29,7 @@ class Diagnostics {
   /// All must outlive this.
   struct Deps {
     const Settings& settings;
+    const PlaceKeeper& keeper;
     const MapBuilder& builder;
     const EventLog& log;
   };

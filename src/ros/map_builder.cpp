@@ -10,8 +10,8 @@
 
 namespace agrid_map_ros {
 
-MapBuilder::MapBuilder(Listeners listeners)
-    : listeners_(std::move(listeners)), thread_([this] { run(); }) {}
+MapBuilder::MapBuilder(PlaceKeeper& keeper, Listeners listeners)
+    : keeper_(keeper), listeners_(std::move(listeners)), thread_([this] { run(); }) {}
 
 MapBuilder::~MapBuilder() {
   {
@@ -50,11 +50,6 @@ bool MapBuilder::rebuild() {
   return true;
 }
 
-SnapshotPtr MapBuilder::snapshot() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return snapshot_;
-}
-
 MapBuilder::State MapBuilder::state() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return state_;
@@ -86,19 +81,18 @@ void MapBuilder::run() {
 void MapBuilder::build(const nav_msgs::OccupancyGridConstPtr& map, bool forced) {
   const auto start = std::chrono::steady_clock::now();
   std::shared_ptr<const Parameters> parameters;
-  SnapshotPtr former;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     parameters = parameters_;
-    former = snapshot_;
   }
+  const SnapshotPtr former = keeper_.snapshot();
   ReceivedMap received = fromMsg(*map, parameters->map);
   auto metric = std::make_shared<const agrid::OccupancyMap>(received.grid, parameters->map);
   // a copy of every value that nobody needs any more
   received.grid.values = {};
   if (!forced && former && former->frame() == received.frame_id &&
       former->map->map().digest() == metric->digest()) {
-    return accept(map, former);
+    return accept(map);
   }
   for (const std::string& warning : received.warnings) listeners_.warned(warning);
   for (const std::string& warning : metric->warnings()) listeners_.warned(warning);
@@ -107,11 +101,11 @@ void MapBuilder::build(const nav_msgs::OccupancyGridConstPtr& map, bool forced) 
   if (!fill(*snapshot, std::move(metric))) return;
   snapshot->stamp.header.frame_id = received.frame_id;
   snapshot->stamp.header.stamp = ros::Time::now();
-  snapshot->stamp.version = former ? former->stamp.version + 1 : 1;
   snapshot->built = std::chrono::steady_clock::now();
   snapshot->build_seconds = std::chrono::duration<double>(snapshot->built - start).count();
-  accept(map, snapshot);
-  listeners_.built(snapshot);
+  const SnapshotPtr in_use = keeper_.adopt(std::move(snapshot));
+  accept(map);
+  listeners_.built(in_use);
 }
 
 bool MapBuilder::fill(Snapshot& snapshot, std::shared_ptr<const agrid::OccupancyMap> metric) const {
@@ -128,10 +122,9 @@ bool MapBuilder::fill(Snapshot& snapshot, std::shared_ptr<const agrid::Occupancy
   return !stopping_;
 }
 
-void MapBuilder::accept(const nav_msgs::OccupancyGridConstPtr& map, const SnapshotPtr& snapshot) {
+void MapBuilder::accept(const nav_msgs::OccupancyGridConstPtr& map) {
   const std::lock_guard<std::mutex> lock(mutex_);
   accepted_ = map;
-  snapshot_ = snapshot;
   state_ = State::kReady;
 }
 

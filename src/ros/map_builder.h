@@ -11,12 +11,13 @@
 
 #include <nav_msgs/OccupancyGrid.h>
 
-#include "ros/snapshot.h"
+#include "ros/place_keeper.h"
 
 namespace agrid_map_ros {
 
-/// Makes snapshots out of maps in a thread of its own. While it works, the former snapshot stays in
-/// use; of maps that arrive meanwhile only the newest is kept.
+/// Makes drafts of snapshots out of maps in a thread of its own, for the keeper to lay what is known
+/// over them. While it works, the former snapshot stays in use; of maps that arrive meanwhile only
+/// the newest is kept.
 class MapBuilder {
  public:
   /// What the builder has to tell, from its own thread and one at a time.
@@ -29,7 +30,8 @@ class MapBuilder {
   /// kFailed: the last map was refused; the former one, if any, stays in use.
   enum class State { kWaiting, kBuilding, kReady, kFailed };
 
-  explicit MapBuilder(Listeners listeners);
+  /// @param keeper  must outlive this
+  MapBuilder(PlaceKeeper& keeper, Listeners listeners);
   /// Ends after the stage of the pipeline that is running.
   ~MapBuilder();
   MapBuilder(const MapBuilder&) = delete;
@@ -43,7 +45,6 @@ class MapBuilder {
   /// @return false if there is none
   bool rebuild();
 
-  SnapshotPtr snapshot() const;  ///< nullptr before the first map
   State state() const;
 
  private:
@@ -51,9 +52,10 @@ class MapBuilder {
   void build(const nav_msgs::OccupancyGridConstPtr& map, bool forced);
   /// @return false if the builder is to end
   bool fill(Snapshot& snapshot, std::shared_ptr<const agrid::OccupancyMap> metric) const;
-  void accept(const nav_msgs::OccupancyGridConstPtr& map, const SnapshotPtr& snapshot);
+  void accept(const nav_msgs::OccupancyGridConstPtr& map);
   void refuse(const std::string& error);
 
+  PlaceKeeper& keeper_;
   Listeners listeners_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
@@ -62,7 +64,6 @@ class MapBuilder {
   nav_msgs::OccupancyGridConstPtr accepted_;  ///< what the snapshot was made from
   bool pending_ = false;
   bool forced_ = false;
-  SnapshotPtr snapshot_;
   State state_ = State::kWaiting;
   std::atomic<bool> stopping_{false};
   std::thread thread_;  // last: it uses all of the above

@@ -10,7 +10,38 @@ Outputs::Outputs(ros::NodeHandle& private_nh)
       graph_(private_nh.advertise<agrid_map::TopologicalGraph>("graph", 1, true)),
       markers_(private_nh.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
       areas_(private_nh.advertise<nav_msgs::OccupancyGrid>("areas", 1, true)),
-      plan_(private_nh.advertise<nav_msgs::Path>("plan", 1, true)) {}
+      plan_(private_nh.advertise<nav_msgs::Path>("plan", 1, true)),
+      thread_([this] { run(); }) {}
+
+Outputs::~Outputs() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void Outputs::offer(const SnapshotPtr& snapshot) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    newest_ = snapshot;
+  }
+  wake_.notify_all();
+}
+
+void Outputs::run() {
+  for (;;) {
+    SnapshotPtr snapshot;
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      wake_.wait(lock, [this] { return stopping_ || newest_; });
+      if (stopping_) return;
+      snapshot.swap(newest_);
+    }
+    publish(*snapshot);
+  }
+}
 
 void Outputs::publish(const Snapshot& snapshot) {
   agrid_.publish(gridToMsg(*snapshot.map, snapshot.stamp));

@@ -80,6 +80,33 @@ void addNode(Table& table, NodeParams& p) {
   table.push_back({"strict_params", FlagField{&p.strict_params}});
 }
 
+void addEdits(Table& table, agrid::EditParams& p) {
+  table.push_back({"door_snap_dist", NumberField{&p.door_snap_dist, 0.01, 5}});
+  table.push_back({"tags_in_unknown", FlagField{&p.allow_unknown}});
+  table.push_back({"max_tags", CountField{&p.max_tags, 1, 1000000}});
+}
+
+void addDialogue(Table& table, Parameters& parameters) {
+  agrid::dialogue::DialogueParams& p = parameters.dialogue;
+  table.push_back({"click_tag", TextField{&parameters.hearing.click_tag, true}});
+  table.push_back({"grammar_file", TextField{&parameters.hearing.grammar_file, true}});
+  table.push_back({"object_distance", NumberField{&p.object_distance, 0.01, 100}});
+  table.push_back({"door_reach", NumberField{&p.door_reach, 0.01, 100}});
+  table.push_back({"most_named", CountField{&p.most_named, 1, 1000}});
+  table.push_back({"near", NumberField{&p.relations.near, 0, 100}});
+  table.push_back({"next_to", NumberField{&p.relations.next_to, 0, 100}});
+  table.push_back({"side_range", NumberField{&p.relations.side_range, 0, 1000}});
+  table.push_back({"sector_half_angle", NumberField{&p.relations.sector_half_angle_deg, 1, 90}});
+  table.push_back({"north_yaw", NumberField{&p.relations.north_yaw_deg, -360, 360}});
+}
+
+void addStorage(Table& table, StorageParams& p) {
+  table.push_back({"storage_dir", TextField{&p.directory, true}});
+  table.push_back({"storage_name", TextField{&p.name, true}});
+  table.push_back({"persistent", FlagField{&p.persistent}});
+  table.push_back({"read_only", FlagField{&p.read_only}});
+}
+
 }  // namespace
 
 std::vector<ParameterEntry> parameterTable(Parameters& parameters) {
@@ -90,6 +117,9 @@ std::vector<ParameterEntry> parameterTable(Parameters& parameters) {
   addAreas(table, parameters.pipeline.areas);
   addPassages(table, parameters.pipeline.areas.passages);
   addPlanner(table, parameters.planner);
+  addEdits(table, parameters.edits);
+  addDialogue(table, parameters);
+  addStorage(table, parameters.storage);
   addNode(table, parameters.node);
   return table;
 }

@@ -22,12 +22,20 @@ struct IntegerField {
   int high;
 };
 
+/// The same for what is counted.
+struct CountField {
+  std::size_t* value;
+  int low;
+  int high;
+};
+
 struct FlagField {
   bool* value;
 };
 
 struct TextField {
   std::string* value;
+  bool may_be_empty = false;
 };
 
 /// A list of points, each a list of two numbers.
@@ -44,7 +52,7 @@ struct ChoiceField {
 /// A parameter's name and where its value goes.
 struct ParameterEntry {
   std::string name;
-  std::variant<NumberField, IntegerField, FlagField, TextField, ChoiceField, PolygonField> field;
+  std::variant<NumberField, IntegerField, CountField, FlagField, TextField, ChoiceField, PolygonField> field;
 };
 
 /// Every parameter there is; the entries point into `parameters`.

@@ -58,11 +58,16 @@ struct Store {
     requireRange(number, field.low, field.high);
     *field.value = number;
   }
+  void operator()(const CountField& field) const {
+    int number = 0;
+    (*this)(IntegerField{&number, field.low, field.high});
+    *field.value = static_cast<std::size_t>(number);
+  }
   void operator()(const FlagField& field) const {
     requireType(value, XmlRpcValue::TypeBoolean);
     *field.value = static_cast<bool&>(value);
   }
-  void operator()(const TextField& field) const { *field.value = text(); }
+  void operator()(const TextField& field) const { *field.value = text(field.may_be_empty); }
   void operator()(const ChoiceField& field) const {
     const std::string word = text();
     const auto found = std::find(field.words.begin(), field.words.end(), word);
@@ -98,9 +103,10 @@ struct Store {
     throw std::invalid_argument("is " + formatNumber(number) + ", allowed [" + formatNumber(low) +
                                 ", " + formatNumber(high) + "]");
   }
-  std::string text() const {
+  std::string text(bool may_be_empty = false) const {
     requireType(value, XmlRpcValue::TypeString);
     const std::string& result = value;
+    if (result.empty() && may_be_empty) return result;
     if (result.empty() || result.size() > kLongestText || !isPrintable(result)) {
       throw std::invalid_argument("has " + std::to_string(result.size()) +
                                   " bytes, allowed are 1 to " + std::to_string(kLongestText) +

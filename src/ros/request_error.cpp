@@ -3,7 +3,9 @@
 
 #include <new>
 
+#include "agrid/pipeline/edit.h"
 #include "agrid/semantic_map/thing_lookup.h"
+#include "agrid/storage.h"
 #include "agrid_map_ros/conversions.h"
 #include "ros/text.h"
 
@@ -17,6 +19,27 @@ std::uint8_t codeOf(agrid::LookupErrorCode code) {
                                                       : Status::INVALID_REQUEST;
 }
 
+std::uint8_t codeOf(agrid::EditErrorCode code) {
+  switch (code) {
+    case agrid::EditErrorCode::kInvalid:
+      break;
+    case agrid::EditErrorCode::kUnknownName:
+      return Status::UNKNOWN_NAME;
+    case agrid::EditErrorCode::kNameTaken:
+      return Status::NAME_TAKEN;
+    case agrid::EditErrorCode::kOutside:
+      return Status::OUTSIDE;
+    case agrid::EditErrorCode::kLimit:
+      return Status::LIMIT_REACHED;
+  }
+  return Status::INVALID_REQUEST;
+}
+
+/// A name that may not name a file is the client's mistake, all else is not.
+std::uint8_t codeOf(agrid::StorageErrorCode code) {
+  return code == agrid::StorageErrorCode::kPath ? Status::INVALID_REQUEST : Status::STORAGE_FAILED;
+}
+
 }  // namespace
 
 Status statusOfException() {
@@ -26,6 +49,10 @@ Status statusOfException() {
     return statusOf(error.code(), error.what());
   } catch (const agrid::LookupError& error) {
     return statusOf(codeOf(error.code()), error.what());
+  } catch (const agrid::EditError& error) {
+    return statusOf(codeOf(error.code()), printable(error.what()));
+  } catch (const agrid::StorageError& error) {
+    return statusOf(codeOf(error.code()), printable(error.what()));
   } catch (const std::bad_alloc&) {
     return statusOf(Status::LIMIT_REACHED, "out of memory");
   } catch (const std::exception& error) {

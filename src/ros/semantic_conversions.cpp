@@ -177,6 +177,9 @@ agrid_map::TopologicalGraph graphToMsg(const agrid::SemanticMap& map, const Stam
   for (const agrid::ObjectTag& object : map.knowledge.objects) {
     msg.objects.push_back(objectToMsg(object, map));
   }
+  for (const agrid::PendingTag& pending : map.knowledge.pending) {
+    msg.pending.push_back(tagOf(pending, stamp.header));
+  }
   return msg;
 }
 
@@ -232,6 +235,39 @@ agrid_map::Tag tagOf(const agrid::ObjectTag& object, const std_msgs::Header& hea
   msg.size.x = object.size.x();
   msg.size.y = object.size.y();
   msg.size.z = object.height;
+  return msg;
+}
+
+namespace {
+
+agrid_map::Tag tagOfWaiting(const agrid::AreaTag& area, const std_msgs::Header& header) {
+  agrid_map::Tag msg = tagOfThing(area, agrid_map::Tag::AREA, header);
+  msg.category = area.category;
+  msg.pose = toMsg(agrid::Pose2{area.seed_map, 0});
+  return msg;
+}
+
+agrid_map::Tag tagOfWaiting(const agrid::DoorTag& door, const std_msgs::Header& header) {
+  agrid_map::Tag msg = tagOfThing(door, agrid_map::Tag::DOOR, header);
+  msg.pose = toMsg(door.pose_map);
+  msg.size.y = door.width;
+  return msg;
+}
+
+agrid_map::Tag tagOfWaiting(const agrid::ObjectTag& object, const std_msgs::Header& header) {
+  return tagOf(object, header);
+}
+
+}  // namespace
+
+agrid_map::Tag tagOf(const agrid::PendingTag& pending, const std_msgs::Header& header) {
+  std_msgs::Header own = header;
+  if (!pending.frame_id.empty()) own.frame_id = pending.frame_id;
+  agrid_map::Tag msg =
+      std::visit([&own](const auto& tag) { return tagOfWaiting(tag, own); }, pending.tag);
+  msg.properties.emplace_back();
+  msg.properties.back().key = "pending";
+  msg.properties.back().value = pending.reason;
   return msg;
 }
 

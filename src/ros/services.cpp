@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "ros/edit_answers.h"
 #include "ros/question_answers.h"
 #include "ros/request_error.h"
 
@@ -19,11 +20,15 @@ Parameters parametersOf(const Settings& settings) {
   return parameters ? *parameters : Parameters{};
 }
 
-PlanQueue::Limits limitsOf(const NodeParams& params) {
+RequestQueue::Limits limitsOf(const NodeParams& params) {
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   return {params.max_parallel_plans == 0 ? cores : params.max_parallel_plans,
           params.max_queued_plans};
 }
+
+// so many edits share one write to the disk, see PlaceKeeper::edit
+constexpr RequestQueue::Limits kEditLimits{8, 1000};
+constexpr double kLongestWaitOfEdits = 30;  // [s]
 
 template <typename Response>
 void setStatus(Response& response, const Status& status) {
@@ -38,11 +43,14 @@ void setStatus(Response& response, const Status& status) {
 
 Services::Services(const ros::NodeHandle& private_nh, const Deps& deps)
     : deps_(deps),
-      limits_(limitsOf(parametersOf(deps.settings).node)),
-      plan_queue_(limits_, [this] { return parametersOf(deps_.settings).planner.timeout; }),
+      plan_limits_(limitsOf(parametersOf(deps.settings).node)),
+      plan_queue_(plan_limits_, [this] { return parametersOf(deps_.settings).planner.timeout; }),
+      edit_queue_(kEditLimits, [] { return kLongestWaitOfEdits; }),
       question_nh_(private_nh),
-      plan_nh_(private_nh) {
+      plan_nh_(private_nh),
+      edit_nh_(private_nh) {
   plan_nh_.setCallbackQueue(&plan_queue_);
+  edit_nh_.setCallbackQueue(&edit_queue_);
   advertise<agrid_map::PlanAreas>(Kind::kPlan, "plan_areas", answerPlanAreas);
   advertise<agrid_map::PlanPath>(Kind::kPlan, "plan_path",
                                  [this](const auto& g, const auto& r) { return planPath(g, r); });
@@ -52,12 +60,22 @@ Services::Services(const ros::NodeHandle& private_nh, const Deps& deps)
   advertise<agrid_map::LabelAt>(Kind::kQuestion, "label_at", answerLabelAt);
   advertise<agrid_map::GetAGrid>(Kind::kQuestion, "get_agrid", answerGetAGrid);
   advertise<agrid_map::GetGraph>(Kind::kQuestion, "get_graph", answerGetGraph);
+  advertise<agrid_map::ListTags>(Kind::kQuestion, "list_tags", answerListTags);
+  advertise<agrid_map::Query>(Kind::kQuestion, "query", [this](const auto& g, const auto& r) {
+    return deps_.hearing.answerQuery(g, r);
+  });
+  advertiseEdit<agrid_map::AddTag>("add_tag", answerAddTag);
+  advertiseEdit<agrid_map::RemoveTag>("remove_tag", answerRemoveTag);
+  advertiseEdit<agrid_map::SetDoor>("set_door", answerSetDoor);
+  advertiseEdit<agrid_map::SaveMap>("save_map", answerSaveMap);
+  advertiseEdit<agrid_map::LoadMap>("load_map", answerLoadMap);
   servers_.push_back(question_nh_.advertiseService("rebuild", &Services::rebuild, this));
 }
 
 Services::~Services() {
   // first of all, as a server that shuts down hangs up on its clients
   plan_queue_.finish();
+  edit_queue_.finish();
   for (ros::ServiceServer& server : servers_) server.shutdown();
 }
 
@@ -70,8 +88,17 @@ void Services::advertise(Kind kind, const std::string& name, Answer<Service> ans
         serve<Service>(kind, answer, request, response);
         return true;
       };
-  ros::NodeHandle& nh = kind == Kind::kPlan ? plan_nh_ : question_nh_;
+  ros::NodeHandle& nh = kind == Kind::kPlan   ? plan_nh_
+                        : kind == Kind::kEdit ? edit_nh_
+                                              : question_nh_;
   servers_.push_back(nh.advertiseService(name, callback));
+}
+
+template <typename Service>
+void Services::advertiseEdit(const std::string& name, EditAnswer<Service> answer) {
+  advertise<Service>(Kind::kEdit, name, [this, answer](const Ground& ground, const auto& request) {
+    return answer(ground, deps_.keeper, request);
+  });
 }
 
 template <typename Service>
@@ -79,7 +106,7 @@ void Services::serve(Kind kind, const Answer<Service>& answer,
                      const typename Service::Request& request,
                      typename Service::Response& response) {
   try {
-    const auto waited = kind == Kind::kPlan ? requireTurn() : PlanQueue::Clock::duration{};
+    const auto waited = requireTurn(kind);
     const SnapshotPtr snapshot = requireSnapshot();
     const Frames frames(deps_.transforms, deps_.cancelled, snapshot->frame(),
                         snapshot->parameters->node.tf_timeout);
@@ -91,15 +118,19 @@ void Services::serve(Kind kind, const Answer<Service>& answer,
   }
 }
 
-PlanQueue::Clock::duration Services::requireTurn() const {
-  const PlanQueue::Call call = plan_queue_.current();
+RequestQueue::Clock::duration Services::requireTurn(Kind kind) const {
+  if (kind == Kind::kQuestion) return {};
+  const bool plans = kind == Kind::kPlan;
+  const RequestQueue::Limits& limits = plans ? plan_limits_ : kEditLimits;
+  const RequestQueue::Call call = (plans ? plan_queue_ : edit_queue_).current();
   switch (call.turn) {
     case Turn::kAnswer:
       break;
     case Turn::kBusy:
-      throw RequestError(Status::BUSY, std::to_string(limits_.running) +
-                                           " requests are being planned and " +
-                                           std::to_string(limits_.waiting) + " wait; ask again");
+      throw RequestError(Status::BUSY, std::to_string(limits.running) +
+                                           (plans ? " requests are being planned and "
+                                                  : " edits are being made and ") +
+                                           std::to_string(limits.waiting) + " wait; ask again");
     case Turn::kLate:
       throw RequestError(Status::TIMEOUT, "the request's turn did not come in time");
     case Turn::kCancelled:
@@ -109,7 +140,7 @@ PlanQueue::Clock::duration Services::requireTurn() const {
 }
 
 SnapshotPtr Services::requireSnapshot() const {
-  if (SnapshotPtr snapshot = deps_.builder.snapshot()) return snapshot;
+  if (SnapshotPtr snapshot = deps_.keeper.snapshot()) return snapshot;
   const std::string error = deps_.settings.error();
   if (!error.empty()) throw RequestError(Status::INVALID_REQUEST, "bad parameters: " + error);
   throw RequestError(Status::NO_MAP, "no map has been built yet");
@@ -119,7 +150,7 @@ agrid_map::PlanPath::Response Services::planPath(const Ground& ground,
                                                  const agrid_map::PlanPath::Request& request) {
   agrid_map::PlanPath::Response response = answerPlanPath(ground, request);
   if (response.status.code == Status::SUCCESS) deps_.outputs.publishPlan(response.path);
-  const SnapshotPtr newest = deps_.builder.snapshot();
+  const SnapshotPtr newest = deps_.keeper.snapshot();
   if (newest.get() != &ground.snapshot) remarkNewerMap(response.status);
   return response;
 }

@@ -12,23 +12,27 @@
 #include <tf2/buffer_core.h>
 
 #include "ros/event_log.h"
+#include "ros/hearing.h"
 #include "ros/map_builder.h"
 #include "ros/outputs.h"
 #include "ros/plan_answers.h"
-#include "ros/plan_queue.h"
+#include "ros/request_queue.h"
 #include "ros/settings.h"
 
 namespace agrid_map_ros {
 
 /// The services of the nodelet. Every callback returns true: the outcome is in the response, and no
-/// exception gets past it. Plans have threads and a line of their own, so that neither long ones
-/// nor many hold up anything else; each is answered within its timeout, counted from its arrival.
+/// exception gets past it. Plans and edits have threads and lines of their own, so that neither long
+/// ones nor many hold up anything else; a plan is answered within its timeout, counted from its
+/// arrival.
 class Services {
  public:
   /// All must outlive this.
   struct Deps {
     Settings& settings;
+    PlaceKeeper& keeper;
     MapBuilder& builder;
+    const Hearing& hearing;
     Outputs& outputs;
     EventLog& log;
     const tf2::BufferCore& transforms;
@@ -44,16 +48,22 @@ class Services {
   template <typename Service>
   using Answer =
       std::function<typename Service::Response(const Ground&, const typename Service::Request&)>;
-  enum class Kind { kQuestion, kPlan };
+  enum class Kind { kQuestion, kPlan, kEdit };
+  template <typename Service>
+  using EditAnswer = typename Service::Response (*)(const Ground&, PlaceKeeper&,
+                                                    const typename Service::Request&);
 
   template <typename Service>
   void advertise(Kind kind, const std::string& name, Answer<Service> answer);
   template <typename Service>
   void serve(Kind kind, const Answer<Service>& answer, const typename Service::Request& request,
              typename Service::Response& response);
+  /// The same for one that changes what is known.
+  template <typename Service>
+  void advertiseEdit(const std::string& name, EditAnswer<Service> answer);
   /// Answers one whose turn has come: how long it has waited.
   /// @throws RequestError if it is to be refused
-  PlanQueue::Clock::duration requireTurn() const;
+  RequestQueue::Clock::duration requireTurn(Kind kind) const;
   SnapshotPtr requireSnapshot() const;
   agrid_map::PlanPath::Response planPath(const Ground& ground,
                                          const agrid_map::PlanPath::Request& request);
@@ -62,10 +72,12 @@ class Services {
   bool rebuild(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
   Deps deps_;
-  PlanQueue::Limits limits_;
-  PlanQueue plan_queue_;
+  RequestQueue::Limits plan_limits_;
+  RequestQueue plan_queue_;
+  RequestQueue edit_queue_;
   ros::NodeHandle question_nh_;
   ros::NodeHandle plan_nh_;
+  ros::NodeHandle edit_nh_;
   std::vector<ros::ServiceServer> servers_;
 };
 

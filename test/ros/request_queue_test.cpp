@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/plan_queue.h"
+#include "ros/request_queue.h"
 
 #include <atomic>
 #include <future>
@@ -15,13 +15,13 @@ namespace {
 constexpr double kForever = 3600;
 
 /// Requests of one client; each tells its turn, and those that are answered take until `open`.
-class PlanQueueTest : public testing::Test {
+class RequestQueueTest : public testing::Test {
  protected:
   class Request : public ros::CallbackInterface {
    public:
-    Request(PlanQueueTest& test, const PlanQueue& queue) : test_(test), queue_(queue) {}
+    Request(RequestQueueTest& test, const RequestQueue& queue) : test_(test), queue_(queue) {}
     CallResult call() override {
-      const PlanQueue::Call call = queue_.current();
+      const RequestQueue::Call call = queue_.current();
       test_.note(call);
       if (call.turn == Turn::kAnswer) test_.opened_.wait();
       ++test_.done_;
@@ -29,16 +29,16 @@ class PlanQueueTest : public testing::Test {
     }
 
    private:
-    PlanQueueTest& test_;
-    const PlanQueue& queue_;
+    RequestQueueTest& test_;
+    const RequestQueue& queue_;
   };
 
-  void add(PlanQueue& queue, int count, std::uint64_t owner = 1) {
+  void add(RequestQueue& queue, int count, std::uint64_t owner = 1) {
     for (int i = 0; i < count; ++i) {
       queue.addCallback(boost::make_shared<Request>(*this, queue), owner);
     }
   }
-  void note(const PlanQueue::Call& call) {
+  void note(const RequestQueue::Call& call) {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++turns_[call.turn];
     longest_wait_ = std::max(longest_wait_, call.waited);
@@ -57,14 +57,14 @@ class PlanQueueTest : public testing::Test {
   std::condition_variable changed_;
   std::map<Turn, int> turns_;
   std::set<std::thread::id> threads_;
-  PlanQueue::Clock::duration longest_wait_{};
+  RequestQueue::Clock::duration longest_wait_{};
   std::atomic<int> done_{0};
   std::promise<void> open_;
   std::shared_future<void> opened_{open_.get_future()};
 };
 
-TEST_F(PlanQueueTest, P13_SomeRunSomeWaitAndTheRestIsRefusedAtOnceByOneThread) {
-  PlanQueue queue({2, 100}, [] { return kForever; });
+TEST_F(RequestQueueTest, P13_SomeRunSomeWaitAndTheRestIsRefusedAtOnceByOneThread) {
+  RequestQueue queue({2, 100}, [] { return kForever; });
   add(queue, 2);
   expect(Turn::kAnswer, 2);
   add(queue, 998);
@@ -77,8 +77,8 @@ TEST_F(PlanQueueTest, P13_SomeRunSomeWaitAndTheRestIsRefusedAtOnceByOneThread) {
   EXPECT_EQ(turns_[Turn::kLate], 0);
 }
 
-TEST_F(PlanQueueTest, P13_WithoutALineAllBeyondThoseThatRunAreRefused) {
-  PlanQueue queue({1, 0}, [] { return kForever; });
+TEST_F(RequestQueueTest, P13_WithoutALineAllBeyondThoseThatRunAreRefused) {
+  RequestQueue queue({1, 0}, [] { return kForever; });
   add(queue, 1);
   expect(Turn::kAnswer, 1);
   add(queue, 3);
@@ -86,8 +86,8 @@ TEST_F(PlanQueueTest, P13_WithoutALineAllBeyondThoseThatRunAreRefused) {
   open();
 }
 
-TEST_F(PlanQueueTest, P10_NoneWaitsLongerThanItMay) {
-  PlanQueue queue({1, 100}, [] { return 0.02; });
+TEST_F(RequestQueueTest, P10_NoneWaitsLongerThanItMay) {
+  RequestQueue queue({1, 100}, [] { return 0.02; });
   add(queue, 1);
   expect(Turn::kAnswer, 1);
   add(queue, 5);
@@ -96,8 +96,8 @@ TEST_F(PlanQueueTest, P10_NoneWaitsLongerThanItMay) {
   open();
 }
 
-TEST_F(PlanQueueTest, P14_FinishAnswersThoseThatWaitAndEndsAllThreads) {
-  PlanQueue queue({1, 100}, [] { return kForever; });
+TEST_F(RequestQueueTest, P14_FinishAnswersThoseThatWaitAndEndsAllThreads) {
+  RequestQueue queue({1, 100}, [] { return kForever; });
   add(queue, 1);
   expect(Turn::kAnswer, 1);
   add(queue, 5);
@@ -112,8 +112,8 @@ TEST_F(PlanQueueTest, P14_FinishAnswersThoseThatWaitAndEndsAllThreads) {
   EXPECT_EQ(done_, 6);
 }
 
-TEST_F(PlanQueueTest, P14_ThoseOfAnOwnerThatIsGoneAreDropped) {
-  PlanQueue queue({1, 100}, [] { return kForever; });
+TEST_F(RequestQueueTest, P14_ThoseOfAnOwnerThatIsGoneAreDropped) {
+  RequestQueue queue({1, 100}, [] { return kForever; });
   add(queue, 1);
   expect(Turn::kAnswer, 1);
   add(queue, 5, 2);

@@ -29,7 +29,7 @@ enum class Turn {
 /// a thread of its own, some wait in line, and all others are refused at once by one more thread,
 /// so that however many come, there are never more threads. A callback that runs asks what its turn
 /// is.
-class PlanQueue : public ros::CallbackQueueInterface {
+class RequestQueue : public ros::CallbackQueueInterface {
  public:
   using Clock = std::chrono::steady_clock;
   struct Limits {
@@ -42,10 +42,10 @@ class PlanQueue : public ros::CallbackQueueInterface {
   };
 
   /// @param max_wait_seconds  how long a request may wait in line; asked again and again
-  PlanQueue(const Limits& limits, std::function<double()> max_wait_seconds);
-  ~PlanQueue() override;
-  PlanQueue(const PlanQueue&) = delete;
-  PlanQueue& operator=(const PlanQueue&) = delete;
+  RequestQueue(const Limits& limits, std::function<double()> max_wait_seconds);
+  ~RequestQueue() override;
+  RequestQueue(const RequestQueue&) = delete;
+  RequestQueue& operator=(const RequestQueue&) = delete;
 
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner_id) override;
   /// Drops those of an owner that wait; one that runs goes on.

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/plan_queue.h"
+#include "ros/request_queue.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace agrid_map_ros {
 
-PlanQueue::PlanQueue(const Limits& limits, std::function<double()> max_wait_seconds)
+RequestQueue::RequestQueue(const Limits& limits, std::function<double()> max_wait_seconds)
     : limits_(limits), max_wait_seconds_(std::move(max_wait_seconds)) {
   for (int i = 0; i < limits_.running; ++i) threads_.emplace_back([this] { answerWaiting(); });
   threads_.emplace_back([this] { refuseOthers(); });
 }
 
-PlanQueue::~PlanQueue() { finish(); }
+RequestQueue::~RequestQueue() { finish(); }
 
-void PlanQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner_id) {
+void RequestQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner_id) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (finishing_) return;
   const std::size_t places = static_cast<std::size_t>(limits_.running + limits_.waiting);
@@ -28,7 +28,7 @@ void PlanQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint
   may_refuse_.notify_one();
 }
 
-void PlanQueue::removeByID(std::uint64_t owner_id) {
+void RequestQueue::removeByID(std::uint64_t owner_id) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (std::deque<Entry>* line : {&waiting_, &refused_}) {
     line->erase(std::remove_if(line->begin(), line->end(),
@@ -37,12 +37,12 @@ void PlanQueue::removeByID(std::uint64_t owner_id) {
   }
 }
 
-PlanQueue::Call PlanQueue::current() const {
+RequestQueue::Call RequestQueue::current() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return calls_.at(std::this_thread::get_id());
 }
 
-void PlanQueue::finish() {
+void RequestQueue::finish() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     finishing_ = true;
@@ -58,7 +58,7 @@ void PlanQueue::finish() {
   threads_.clear();
 }
 
-void PlanQueue::answerWaiting() {
+void RequestQueue::answerWaiting() {
   std::unique_lock<std::mutex> lock(mutex_);
   for (;;) {
     may_answer_.wait(lock, [this] { return finishing_ || !waiting_.empty(); });
@@ -71,12 +71,12 @@ void PlanQueue::answerWaiting() {
   }
 }
 
-void PlanQueue::refuseOthers() {
+void RequestQueue::refuseOthers() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (const std::optional<Entry> entry = nextRefused(lock)) run(*entry, lock);
 }
 
-std::optional<PlanQueue::Entry> PlanQueue::nextRefused(std::unique_lock<std::mutex>& lock) {
+std::optional<RequestQueue::Entry> RequestQueue::nextRefused(std::unique_lock<std::mutex>& lock) {
   for (;;) {
     if (!refused_.empty()) {
       Entry entry = std::move(refused_.front());
@@ -102,7 +102,7 @@ std::optional<PlanQueue::Entry> PlanQueue::nextRefused(std::unique_lock<std::mut
   }
 }
 
-void PlanQueue::run(const Entry& entry, std::unique_lock<std::mutex>& lock) {
+void RequestQueue::run(const Entry& entry, std::unique_lock<std::mutex>& lock) {
   calls_[std::this_thread::get_id()] = {entry.turn, Clock::now() - entry.arrived};
   lock.unlock();
   entry.callback->call();
