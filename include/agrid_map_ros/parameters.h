@@ -6,8 +6,8 @@
 
 #include <XmlRpcValue.h>
 
-#include "agrid/map/occupancy_map.h"
 #include "agrid/dialogue/replies.h"
+#include "agrid/map/occupancy_map.h"
 #include "agrid/pipeline.h"
 #include "agrid/pipeline/edit.h"
 #include "agrid/planning/planner.h"

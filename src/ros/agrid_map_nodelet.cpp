@@ -39,21 +39,19 @@ void AGridNodelet::onInit() {
   const Parameters parameters = read ? *read : Parameters{};
   if (error.empty()) keeper_->open(parameters.storage, private_nh.getNamespace());
   builder_ = std::make_unique<MapBuilder>(
-      *keeper_, MapBuilder::Listeners{
-                    [this](const SnapshotPtr& snapshot) {
-                      NODELET_INFO_STREAM(summary(*snapshot));
-                    },
-                    warn, [this](const std::string& failure) { log_.error("map", failure); }});
+      *keeper_,
+      MapBuilder::Listeners{
+          [this](const SnapshotPtr& snapshot) { NODELET_INFO_STREAM(summary(*snapshot)); }, warn,
+          [this](const std::string& failure) { log_.error("map", failure); }});
   if (error.empty()) builder_->setParameters(read);
-  hearing_ = std::make_unique<Hearing>(
-      nh, private_nh, Hearing::Deps{*keeper_, log_, transforms_, cancelled_},
-      parameters.hearing.grammar_file);
+  hearing_ = std::make_unique<Hearing>(nh, private_nh,
+                                       Hearing::Deps{*keeper_, log_, transforms_, cancelled_},
+                                       parameters.hearing.grammar_file);
   services_ = std::make_unique<Services>(
       private_nh, Services::Deps{*settings_, *keeper_, *builder_, *hearing_, *outputs_, log_,
                                  transforms_, cancelled_});
-  area_watch_ =
-      std::make_unique<AreaWatch>(private_nh, AreaWatch::Deps{*keeper_, transforms_, cancelled_},
-                                  parameters.node.area_period);
+  area_watch_ = std::make_unique<AreaWatch>(
+      private_nh, AreaWatch::Deps{*keeper_, transforms_, cancelled_}, parameters.node.area_period);
   diagnostics_ = std::make_unique<Diagnostics>(
       private_nh, Diagnostics::Deps{*settings_, *keeper_, *builder_, log_});
   intake_ = std::make_unique<MapIntake>(nh, MapIntake::Deps{*settings_, *builder_, log_});

@@ -84,10 +84,9 @@ Diagnostics::Diagnostics(ros::NodeHandle& private_nh, const Deps& deps)
 void Diagnostics::publish() {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = ros::Time::now();
-  array.status.push_back(
-      diagnose({deps_.settings.error(), deps_.keeper.storageProblem(), deps_.builder.state(),
-                deps_.keeper.snapshot()},
-               deps_.log));
+  array.status.push_back(diagnose({deps_.settings.error(), deps_.keeper.storageProblem(),
+                                   deps_.builder.state(), deps_.keeper.snapshot()},
+                                  deps_.log));
   array.status.back().name = node_name_ + ": map";
   publisher_.publish(array);
 }

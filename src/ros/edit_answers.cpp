@@ -15,8 +15,8 @@ using agrid_map::Status;
 
 agrid::TagSource sourceOf(const agrid_map::Tag& tag) {
   if (tag.source <= agrid_map::Tag::INTERACTION) return static_cast<agrid::TagSource>(tag.source);
-  throw RequestError(Status::INVALID_REQUEST, "source is " + std::to_string(tag.source) +
-                                                  ", allowed [0, 2]");
+  throw RequestError(Status::INVALID_REQUEST,
+                     "source is " + std::to_string(tag.source) + ", allowed [0, 2]");
 }
 
 void requireFinite(const geometry_msgs::Vector3& size) {
@@ -84,8 +84,8 @@ std::uint32_t onlyOne(const std::vector<std::uint32_t>& ids, const std::string& 
                       agrid::TagKind kind) {
   if (ids.size() == 1) return ids.front();
   if (ids.empty()) {
-    throw RequestError(Status::UNKNOWN_NAME, std::string("no ") + wordFor(kind) + " is called '" +
-                                                 printable(name) + "'");
+    throw RequestError(Status::UNKNOWN_NAME,
+                       std::string("no ") + wordFor(kind) + " is called '" + printable(name) + "'");
   }
   throw RequestError(Status::INVALID_REQUEST, "'" + printable(name) + "' means " +
                                                   std::to_string(ids.size()) +
@@ -191,8 +191,7 @@ agrid_map::RemoveTag::Response answerRemoveTag(const Ground&, PlaceKeeper& keepe
   }
   const auto kind = static_cast<agrid::TagKind>(request.type);
   const auto answer = keeper.edit([&](const Snapshot& snapshot) {
-    const std::uint32_t id =
-        request.id != 0 ? request.id : idCalled(snapshot, request.name, kind);
+    const std::uint32_t id = request.id != 0 ? request.id : idCalled(snapshot, request.name, kind);
     return agrid::decide(agrid::RemoveTag{kind, id}, *snapshot.map,
                          editParams(*snapshot.parameters));
   });
@@ -204,9 +203,8 @@ agrid_map::RemoveTag::Response answerRemoveTag(const Ground&, PlaceKeeper& keepe
 agrid_map::SetDoor::Response answerSetDoor(const Ground&, PlaceKeeper& keeper,
                                            const agrid_map::SetDoor::Request& request) {
   if (request.state > agrid_map::Door::CLOSED) {
-    throw RequestError(Status::INVALID_REQUEST,
-                       "state is " + std::to_string(request.state) +
-                           ", allowed: 0 (unknown), 1 (open), 2 (closed)");
+    throw RequestError(Status::INVALID_REQUEST, "state is " + std::to_string(request.state) +
+                                                    ", allowed: 0 (unknown), 1 (open), 2 (closed)");
   }
   const auto state = static_cast<agrid::DoorState>(request.state);
   const auto answer = keeper.edit([&](const Snapshot& snapshot) {

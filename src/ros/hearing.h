@@ -27,8 +27,8 @@ namespace agrid_map_ros {
 /// @throws std::invalid_argument if it begins with no kind
 agrid_map::Tag clickedTag(const std::string& click_tag, const geometry_msgs::PointStamped& point);
 
-/// Hears tags on ~tag, points on clicked_point and sentences on ~say, and answers these on ~said. What
-/// comes over a topic has no response: what is wrong with it goes to the log.
+/// Hears tags on ~tag, points on clicked_point and sentences on ~say, and answers these on ~said.
+/// What comes over a topic has no response: what is wrong with it goes to the log.
 class Hearing {
  public:
   /// All must outlive this.

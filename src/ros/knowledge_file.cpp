@@ -102,8 +102,7 @@ void KnowledgeFile::fold(std::shared_ptr<const agrid::StoredMap> now) {
 }
 
 void KnowledgeFile::reserveIds(const agrid::NextIds& used) {
-  const agrid::NextIds ahead{used.area + kIdsAhead, used.door + kIdsAhead,
-                             used.object + kIdsAhead};
+  const agrid::NextIds ahead{used.area + kIdsAhead, used.door + kIdsAhead, used.object + kIdsAhead};
   store_.append(std::vector<agrid::Change>{agrid::ReserveIds{ahead}});
   reserved_ = ahead;
 }

@@ -15,9 +15,9 @@
 
 namespace agrid_map_ros {
 
-/// Makes drafts of snapshots out of maps in a thread of its own, for the keeper to lay what is known
-/// over them. While it works, the former snapshot stays in use; of maps that arrive meanwhile only
-/// the newest is kept.
+/// Makes drafts of snapshots out of maps in a thread of its own, for the keeper to lay what is
+/// known over them. While it works, the former snapshot stays in use; of maps that arrive meanwhile
+/// only the newest is kept.
 class MapBuilder {
  public:
   /// What the builder has to tell, from its own thread and one at a time.

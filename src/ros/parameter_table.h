@@ -52,7 +52,9 @@ struct ChoiceField {
 /// A parameter's name and where its value goes.
 struct ParameterEntry {
   std::string name;
-  std::variant<NumberField, IntegerField, CountField, FlagField, TextField, ChoiceField, PolygonField> field;
+  std::variant<NumberField, IntegerField, CountField, FlagField, TextField, ChoiceField,
+               PolygonField>
+      field;
 };
 
 /// Every parameter there is; the entries point into `parameters`.

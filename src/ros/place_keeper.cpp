@@ -19,8 +19,8 @@ bool isEmpty(const agrid::Knowledge& known) {
 }
 
 std::shared_ptr<const agrid::StoredMap> storedOf(const Snapshot& snapshot) {
-  return std::make_shared<const agrid::StoredMap>(agrid::StoredMap{
-      snapshot.map->map().digest(), snapshot.frame(), snapshot.map->knowledge});
+  return std::make_shared<const agrid::StoredMap>(
+      agrid::StoredMap{snapshot.map->map().digest(), snapshot.frame(), snapshot.map->knowledge});
 }
 
 /// What is known, laid over a map, and what people should know about it.
@@ -34,16 +34,13 @@ Laid layOver(const agrid::SemanticMap& fresh, const std::string& frame,
              const agrid::StoredMap& known) {
   Laid laid;
   if (known.map_id == fresh.map().digest() && known.frame_id == frame) {
-    laid.map =
-        std::make_shared<const agrid::SemanticMap>(agrid::retag(fresh, known.knowledge));
+    laid.map = std::make_shared<const agrid::SemanticMap>(agrid::retag(fresh, known.knowledge));
     return laid;
   }
   const agrid::SemanticMap with_doors =
       agrid::retag(fresh, agrid::doorsFor(frame, known.knowledge, known.frame_id));
-  agrid::Recognition found =
-      agrid::recognise(known.knowledge, known.frame_id, with_doors, frame);
-  laid.map =
-      std::make_shared<const agrid::SemanticMap>(agrid::retag(with_doors, found.knowledge));
+  agrid::Recognition found = agrid::recognise(known.knowledge, known.frame_id, with_doors, frame);
+  laid.map = std::make_shared<const agrid::SemanticMap>(agrid::retag(with_doors, found.knowledge));
   laid.report = std::move(found.report);
   return laid;
 }
@@ -137,8 +134,8 @@ void PlaceKeeper::makeAll(const std::vector<Waiting*>& batch) {
       if (edit.changed()) {
         agrid::Knowledge known = now->map->knowledge;
         for (const agrid::Change& change : edit.changes) agrid::apply(change, known);
-        now = withMap(*now, std::make_shared<const agrid::SemanticMap>(
-                                agrid::retag(*now->map, known)));
+        now = withMap(*now,
+                      std::make_shared<const agrid::SemanticMap>(agrid::retag(*now->map, known)));
         steps.push_back(storedOf(*now));
       }
       waiting->answer.snapshot = now;
@@ -214,7 +211,8 @@ void PlaceKeeper::requireStorage() const {
 KnowledgeFile& PlaceKeeper::requireFile() const {
   requireStorage();
   if (file_) return *file_;
-  throw RequestError(agrid_map::Status::STORAGE_FAILED, "the node was started with persistent false");
+  throw RequestError(agrid_map::Status::STORAGE_FAILED,
+                     "the node was started with persistent false");
 }
 
 }  // namespace agrid_map_ros

@@ -22,9 +22,9 @@
 namespace agrid_map_ros {
 
 /// The services of the nodelet. Every callback returns true: the outcome is in the response, and no
-/// exception gets past it. Plans and edits have threads and lines of their own, so that neither long
-/// ones nor many hold up anything else; a plan is answered within its timeout, counted from its
-/// arrival.
+/// exception gets past it. Plans and edits have threads and lines of their own, so that neither
+/// long ones nor many hold up anything else; a plan is answered within its timeout, counted from
+/// its arrival.
 class Services {
  public:
   /// All must outlive this.

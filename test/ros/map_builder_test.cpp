@@ -46,98 +46,100 @@ class Builder : public testing::Test {
   std::vector<std::string> built_;
   std::vector<std::string> warned_;
   std::vector<std::string> failed_;
+  PlaceKeeper keeper_{PlaceKeeper::Listeners{[](const SnapshotPtr&) {}, [](const std::string&) {},
+                                             [](const std::string&) {}}};
   std::shared_ptr<const Parameters> parameters_ = std::make_shared<const Parameters>();
 };
 
 TEST_F(Builder, BuildsWhatIsOffered) {
-  MapBuilder builder(listeners());
-  EXPECT_EQ(builder.snapshot(), nullptr);
+  MapBuilder builder(keeper_, listeners());
+  EXPECT_EQ(keeper_.snapshot(), nullptr);
   EXPECT_EQ(builder.state(), MapBuilder::State::kWaiting);
   EXPECT_FALSE(builder.rebuild());
   builder.setParameters(parameters_);
   builder.offer(open());
   ASSERT_TRUE(waitFor(built_, 1));
-  const SnapshotPtr snapshot = builder.snapshot();
+  const SnapshotPtr snapshot = keeper_.snapshot();
   EXPECT_EQ(snapshot->stamp.version, 1U);
   EXPECT_EQ(snapshot->map->area_map.areas.size(), 3U);
   EXPECT_EQ(builder.state(), MapBuilder::State::kReady);
 }
 
 TEST_F(Builder, L3_WaitsForParameters) {
-  MapBuilder builder(listeners());
+  MapBuilder builder(keeper_, listeners());
   builder.offer(open());
-  EXPECT_EQ(builder.snapshot(), nullptr);
+  EXPECT_EQ(keeper_.snapshot(), nullptr);
   builder.setParameters(parameters_);
   EXPECT_TRUE(waitFor(built_, 1));
 }
 
 TEST_F(Builder, M18_AnotherFrameIsANewMap) {
-  MapBuilder builder(listeners());
+  MapBuilder builder(keeper_, listeners());
   builder.setParameters(parameters_);
   builder.offer(open());
   ASSERT_TRUE(waitFor(built_, 1));
   builder.offer(open("world"));
   ASSERT_TRUE(waitFor(built_, 2));
-  EXPECT_EQ(builder.snapshot()->frame(), "world");
-  EXPECT_EQ(builder.snapshot()->stamp.version, 2U);
+  EXPECT_EQ(keeper_.snapshot()->frame(), "world");
+  EXPECT_EQ(keeper_.snapshot()->stamp.version, 2U);
 }
 
 TEST_F(Builder, M19_TheSameMapAgainIsNotBuilt) {
-  MapBuilder builder(listeners());
+  MapBuilder builder(keeper_, listeners());
   builder.setParameters(parameters_);
   builder.offer(open());
   ASSERT_TRUE(waitFor(built_, 1));
-  const SnapshotPtr former = builder.snapshot();
+  const SnapshotPtr former = keeper_.snapshot();
   auto again = test::drawn(test::twoRoomsAndACloset());
   again.header.stamp = ros::Time(99);
   builder.offer(shared(again));
   builder.offer(shared(test::drawn(test::walledUp())));
   ASSERT_TRUE(waitFor(built_, 2));
-  EXPECT_EQ(builder.snapshot()->stamp.version, 2U);
-  EXPECT_NE(builder.snapshot(), former);
+  EXPECT_EQ(keeper_.snapshot()->stamp.version, 2U);
+  EXPECT_NE(keeper_.snapshot(), former);
 }
 
 TEST_F(Builder, RebuildMakesTheSameMapAnew) {
-  MapBuilder builder(listeners());
+  MapBuilder builder(keeper_, listeners());
   builder.setParameters(parameters_);
   builder.offer(open());
   ASSERT_TRUE(waitFor(built_, 1));
   EXPECT_TRUE(builder.rebuild());
   ASSERT_TRUE(waitFor(built_, 2));
-  EXPECT_EQ(builder.snapshot()->stamp.version, 2U);
+  EXPECT_EQ(keeper_.snapshot()->stamp.version, 2U);
 }
 
 TEST_F(Builder, M1_ABadMapLeavesTheFormerOne) {
-  MapBuilder builder(listeners());
+  MapBuilder builder(keeper_, listeners());
   builder.setParameters(parameters_);
   builder.offer(open());
   ASSERT_TRUE(waitFor(built_, 1));
-  const SnapshotPtr former = builder.snapshot();
+  const SnapshotPtr former = keeper_.snapshot();
   auto bad = test::drawn(test::walledUp());
   bad.data.pop_back();
   builder.offer(shared(bad));
   ASSERT_TRUE(waitFor(failed_, 1));
-  EXPECT_EQ(builder.snapshot(), former);
+  EXPECT_EQ(keeper_.snapshot(), former);
   EXPECT_EQ(builder.state(), MapBuilder::State::kFailed);
   EXPECT_TRUE(builder.rebuild());  // the one in use
   ASSERT_TRUE(waitFor(built_, 2));
-  EXPECT_EQ(builder.snapshot()->map->map().digest(), former->map->map().digest());
+  EXPECT_EQ(keeper_.snapshot()->map->map().digest(), former->map->map().digest());
 }
 
 TEST_F(Builder, M14_MapsThatSayNothing) {
-  MapBuilder builder(listeners());
+  MapBuilder builder(keeper_, listeners());
   builder.setParameters(parameters_);
   std::size_t count = 0;
   for (const char c : {'?', '#', '.'}) {
     builder.offer(shared(test::drawn(std::vector<std::string>(3, std::string(4, c)))));
     ASSERT_TRUE(waitFor(built_, ++count)) << c;
-    EXPECT_LE(builder.snapshot()->map->area_map.areas.size(), 1U) << c;
+    EXPECT_LE(keeper_.snapshot()->map->area_map.areas.size(), 1U) << c;
   }
   EXPECT_FALSE(warned_.empty());
 }
 
 TEST_F(Builder, M24_OfManyMapsTheNewestIsBuilt) {
-  MapBuilder builder(listeners());
+  MapBuilder builder(keeper_, listeners());
   builder.setParameters(parameters_);
   for (int i = 0; i < 200; ++i) builder.offer(open("frame_" + std::to_string(i)));
   const auto newest_is_built = [this] {
@@ -150,7 +152,7 @@ TEST_F(Builder, M24_OfManyMapsTheNewestIsBuilt) {
 }
 
 TEST_F(Builder, L1_EndsWhileItBuilds) {
-  MapBuilder builder(listeners());
+  MapBuilder builder(keeper_, listeners());
   builder.setParameters(parameters_);
   builder.offer(open());
 }
