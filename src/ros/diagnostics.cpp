@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/diagnostics.h"
 
-#include <algorithm>
 #include <chrono>
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -61,7 +60,7 @@ DiagnosticStatus diagnose(const Findings& findings, const EventLog& log) {
   DiagnosticStatus status;
   judge(status, findings.state, findings.snapshot != nullptr);
   if (!findings.storage_problem.empty()) {
-    status.level = std::max(status.level, static_cast<std::uint8_t>(DiagnosticStatus::WARN));
+    if (status.level == DiagnosticStatus::OK) status.level = DiagnosticStatus::WARN;
     status.message += "; what people say is not kept: " + findings.storage_problem;
   }
   if (!findings.parameter_error.empty()) {

@@ -187,6 +187,7 @@ struct ExpectDefault {
   YAML::Node node;
   void operator()(const NumberField& f) const { EXPECT_EQ(node.as<double>(), *f.value); }
   void operator()(const IntegerField& f) const { EXPECT_EQ(node.as<int>(), *f.value); }
+  void operator()(const CountField& f) const { EXPECT_EQ(node.as<std::size_t>(), *f.value); }
   void operator()(const FlagField& f) const { EXPECT_EQ(node.as<bool>(), *f.value); }
   void operator()(const TextField& f) const { EXPECT_EQ(node.as<std::string>(), *f.value); }
   void operator()(const PolygonField& f) const { EXPECT_EQ(node.size(), f.value->size()); }
