@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/place_keeper.h"
 
+#include <csignal>
 #include <utility>
 
 #include <ros/time.h>
@@ -55,6 +56,8 @@ void PlaceKeeper::open(const StorageParams& params, const std::string& node_name
     listeners_.warned("persistent is false: what people say is forgotten when the node ends");
     return;
   }
+  // a file beyond its limit is an error of the write, not the end of the process
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     file_ = std::make_unique<KnowledgeFile>(params, node_name);
     start_ = file_->atStart();

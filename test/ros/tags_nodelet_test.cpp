@@ -56,7 +56,8 @@ class TagsNodelet : public test::NodeletClient {
   void SetUp() override {
     useTwoRooms();
     for (const Tag& tag : tags(0)) {
-      if (tag.source != Tag::AUTOMATIC) remove(tag.type, tag.id);
+      // without a door that geometry finds, both rooms would be one
+      if (tag.source != Tag::AUTOMATIC && tag.type != Tag::DOOR) remove(tag.type, tag.id);
     }
   }
 
