@@ -105,12 +105,13 @@ std::optional<std::pair<Endpoint, Endpoint>> connectedPair(const EndpointChoice&
   return best;
 }
 
-Target areaTarget(const RadiusLevel& level, std::uint16_t label, const PixelBox& box) {
+Target areaTarget(const RadiusLevel& level, std::uint16_t label) {
   Target target;
   target.label = label;
-  target.box = box;
   for (std::uint32_t region = 0; region < level.roadmap.regions().nodeCount(); ++region) {
-    if (level.labelOf(region) == label) target.regions.push_back(region);
+    if (level.labelOf(region) != label) continue;
+    target.regions.push_back(region);
+    target.box = merged(target.box, level.roadmap.regions().boxOf(region));
   }
   return target;
 }

@@ -37,7 +37,6 @@ std::optional<std::pair<Endpoint, Endpoint>> connectedPair(const EndpointChoice&
 
 /// An area as a target, whatever reaches it.
 /// @param label  1 + index into AreaMap::areas
-/// @param box  of the area's pixels
-Target areaTarget(const RadiusLevel& level, std::uint16_t label, const PixelBox& box);
+Target areaTarget(const RadiusLevel& level, std::uint16_t label);
 
 }  // namespace agrid::planning

@@ -18,19 +18,6 @@ namespace {
 /// A planner of OMPL that improves its paths may stop at so many times the length of ours.
 constexpr double kGoodEnough = 1.05;
 
-std::shared_ptr<const std::vector<PixelBox>> areaBoxes(const SemanticMap& map) {
-  const MapGeometry& geometry = map.map().geometry();
-  std::vector<PixelBox> boxes(map.area_map.areas.size());
-  std::size_t i = 0;
-  for (int y = 0; y < geometry.height; ++y) {
-    for (int x = 0; x < geometry.width; ++x, ++i) {
-      const std::uint16_t label = map.area_map.pixel_labels[i];
-      if (label != 0) boxes[label - std::size_t{1}].add({x, y});
-    }
-  }
-  return std::make_shared<const std::vector<PixelBox>>(std::move(boxes));
-}
-
 const std::shared_ptr<const SemanticMap>& requireMap(
     const std::shared_ptr<const SemanticMap>& map) {
   if (!map) throw std::invalid_argument("Planner: the map is null");
@@ -70,7 +57,6 @@ PlannerCore::PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerPa
     : map_(requireMap(map)),
       obstacles_(*map_, params.allow_unknown, params.clearance),
       cells_(map_->map().geometry(), map_->grid()),
-      area_boxes_(areaBoxes(*map_)),
       levels_(newLevels(*map_, obstacles_)) {
   levels_->get(params.robot_radius, {});
 }
@@ -82,9 +68,6 @@ PlannerCore::PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerPa
       cells_(map_->map().geometry(), map_->grid()) {
   const AreaMap& areas = map_->area_map;
   const AreaMap& former_areas = former.map_->area_map;
-  const bool same_areas = areas.pixel_labels.shares(former_areas.pixel_labels) &&
-                          areas.areas.size() == former_areas.areas.size();
-  area_boxes_ = same_areas ? former.area_boxes_ : areaBoxes(*map_);
   levels_ = haveSamePixels(*map_, *former.map_)
                 ? std::make_unique<LevelCache>(*former.levels_, areas.pixel_labels, obstacles_,
                                                haveSameDoors(areas.doors, former_areas.doors))
@@ -138,8 +121,7 @@ Task PlannerCore::taskToPoint(Task task, const EndpointChoice& starts, const Poi
 Task PlannerCore::taskToArea(Task task, const EndpointChoice& starts, AreaId id) const {
   const std::size_t area = areaIndex(id);
   const std::string& name = map_->area_map.areas[area].name;
-  Target target =
-      areaTarget(*task.level, static_cast<std::uint16_t>(area + 1), (*area_boxes_)[area]);
+  Target target = areaTarget(*task.level, static_cast<std::uint16_t>(area + 1));
   if (target.regions.empty()) {
     throw Refusal{PlanStatus::kGoalInvalid,
                   "the robot's centre fits nowhere in the area '" + name + "'"};

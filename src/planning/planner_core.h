@@ -82,7 +82,6 @@ class PlannerCore {
   std::shared_ptr<const SemanticMap> map_;
   Obstacles obstacles_;
   CellLookup cells_;
-  std::shared_ptr<const std::vector<PixelBox>> area_boxes_;
   std::unique_ptr<LevelCache> levels_;
 };
 
