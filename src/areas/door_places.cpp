@@ -66,30 +66,45 @@ DoorTag tagOf(const Door& door) {
   return tag;
 }
 
+std::optional<DoorFit> fitOf(const DoorTag& tag, const Door& door, double resolution) {
+  const double reach = std::max(kSamePlace, 2 * resolution);
+  const Segment& jambs = door.jambs_map;
+  if (!leadSameWay(tag.pose_map.yaw, yawThrough(jambs))) return std::nullopt;
+  const double from_middle = (jambs.midpoint() - tag.pose_map.position).norm();
+  if (from_middle <= reach) return DoorFit{false, from_middle};
+  const Point2 along = jambs.b - jambs.a;
+  const double share = (tag.pose_map.position - jambs.a).dot(along) / along.squaredNorm();
+  if (!(share >= 0 && share <= 1)) return std::nullopt;
+  const Point2 foot = jambs.a + along * share;
+  if ((foot - tag.pose_map.position).norm() > reach) return std::nullopt;
+  return DoorFit{true, from_middle};
+}
+
 std::vector<std::optional<std::size_t>> doorsMeant(const std::vector<const DoorTag*>& tags,
                                                    const std::vector<Door>& doors,
                                                    double resolution) {
-  const double reach = std::max(kSamePlace, 2 * resolution);
+  double reach = std::max(kSamePlace, 2 * resolution);
   std::multimap<double, std::size_t> by_x;
   for (std::size_t d = 0; d < doors.size(); ++d) {
     by_x.emplace(doors[d].jambs_map.midpoint().x(), d);
+    reach = std::max(reach, doors[d].jambs_map.length());
   }
-  std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;  // distance, tag, door
+  // automatic, beside the middle, distance, tag, door: the better the smaller
+  std::vector<std::tuple<bool, bool, double, std::size_t, std::size_t>> pairs;
   for (std::size_t t = 0; t < tags.size(); ++t) {
-    const Pose2& pose = tags[t]->pose_map;
-    const auto end = by_x.upper_bound(pose.position.x() + reach);
-    for (auto i = by_x.lower_bound(pose.position.x() - reach); i != end; ++i) {
-      const Segment& jambs = doors[i->second].jambs_map;
-      const double distance = (jambs.midpoint() - pose.position).norm();
-      if (distance <= reach && leadSameWay(pose.yaw, yawThrough(jambs))) {
-        pairs.emplace_back(distance, t, i->second);
-      }
+    const double x = tags[t]->pose_map.position.x();
+    const auto end = by_x.upper_bound(x + reach);
+    for (auto i = by_x.lower_bound(x - reach); i != end; ++i) {
+      const auto fit = fitOf(*tags[t], doors[i->second], resolution);
+      if (!fit) continue;
+      pairs.emplace_back(tags[t]->source == TagSource::kAutomatic, fit->beside_middle,
+                         fit->distance, t, i->second);
     }
   }
   std::sort(pairs.begin(), pairs.end());
   std::vector<std::optional<std::size_t>> meant(tags.size());
   std::set<std::size_t> taken;
-  for (const auto& [distance, tag, door] : pairs) {
+  for (const auto& [automatic, beside, distance, tag, door] : pairs) {
     if (meant[tag] || !taken.insert(door).second) continue;
     meant[tag] = door;
   }

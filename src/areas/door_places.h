@@ -16,9 +16,18 @@ namespace agrid {
 /// The tag that would make a door: its middle, x leading through it.
 DoorTag tagOf(const Door& door);
 
-/// The doors that tags mean: each tag the nearest one whose middle lies within two pixels or 0.15 m
-/// of its pose, if they lead the same way within 45 degrees; no door is meant twice, the nearest
-/// tag has it, then the lower id.
+/// How well a tag means a door.
+struct DoorFit {
+  bool beside_middle = false;  ///< on the line between its jambs, but not in the middle
+  double distance = 0;         ///< from its middle [m]
+};
+
+/// A tag means a door that leads the same way within 45 degrees, if it lies within two pixels or
+/// 0.15 m of its middle, or else of the line between its jambs.
+std::optional<DoorFit> fitOf(const DoorTag& tag, const Door& door, double resolution);
+
+/// The doors that tags mean, none of them twice: given tags choose before automatic ones, those in
+/// the middle of a door before others, then the nearest, then the lower id.
 /// @return for each tag an index into `doors`, or none
 std::vector<std::optional<std::size_t>> doorsMeant(const std::vector<const DoorTag*>& tags,
                                                    const std::vector<Door>& doors,

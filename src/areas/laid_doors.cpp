@@ -185,7 +185,12 @@ std::vector<Door> layDoors(const OccupancyMap& map, const AGrid& grid,
   tags.erase(
       std::remove_if(tags.begin(), tags.end(), [](const DoorTag* t) { return !isGiven(*t); }),
       tags.end());
-  sayAll(tags, resolution, within);  // a door that someone named stays, though it parts nothing
+  // a door that someone named stays, though it parts nothing
+  tags = sayAll(tags, resolution, within);
+  std::vector<DeferTag> waiting;
+  for (const DoorTag* tag : tags) {
+    waiting.push_back({{*tag, {}, "another door given by a person is where it is"}});
+  }
   within.erase(
       std::remove_if(within.begin(), within.end(), [](const Door& d) { return !hasTag(d); }),
       within.end());
@@ -197,6 +202,7 @@ std::vector<Door> layDoors(const OccupancyMap& map, const AGrid& grid,
     if (door.cells.empty()) door.cells = cellsOnSegment(grid, door.jambs_map);
   }
   keepTags(doors, known);
+  for (const DeferTag& tag : waiting) apply(tag, known);
   return doors;
 }
 

@@ -185,6 +185,55 @@ TEST(Retag, ADoorThatPartsNothingHasOneAreaOnBothSides) {
   EXPECT_EQ(result.area_map.doors.back().areas[0], result.area_map.doors.back().areas[1]);
 }
 
+TEST(Retag, OfTwoGivenDoorsOnOneBorderNoneIsLost) {
+  const SemanticMap map = twoRooms();
+  DoorTag named = map.knowledge.doors.front();
+  named.name = "kitchen door";
+  named.source = TagSource::kManual;
+  DoorTag other = named;
+  other.id = DoorId{8};
+  other.name = "hatch";
+  other.pose_map.position.y() += 0.3;
+  const SemanticMap result = after(map, {PutTag{named}, PutTag{other}});
+  EXPECT_NE(findTag(result.knowledge, named.id), nullptr);
+  EXPECT_TRUE(findTag(result.knowledge, other.id) != nullptr ||
+              result.knowledge.pending.size() == 1);
+}
+
+TEST(Retag, AGivenDoorBeatsAnAutomaticTagThatLiesNearer) {
+  const SemanticMap map = twoRooms();
+  DoorTag given = map.knowledge.doors.front();
+  given.id = DoorId{9};
+  given.name = "kitchen door";
+  given.source = TagSource::kManual;
+  given.pose_map.position.y() += 0.1;
+  const SemanticMap result = after(map, {PutTag{given}});
+  ASSERT_EQ(result.area_map.doors.size(), 1U);
+  EXPECT_EQ(result.area_map.doors[0].name, "kitchen door");
+  EXPECT_TRUE(result.knowledge.pending.empty());
+}
+
+TEST(Retag, AStretchOfABorderIsNamedOnItsOwn) {
+  // an open border of 3.8 m between two parts of a hall, one of which a door parts again
+  std::vector<std::string> rows = hallAndRoom();
+  const SemanticMap map = annotate(structureOf(test::asciiMap(rows, 0.1)), {}, {});
+  DoorTag across = doorAt(5, {7, 2}, std::acos(-1.0) / 2);
+  const SemanticMap parted = after(map, {PutTag{across}});
+  // the given door meets the gap in its middle: the gap has two stretches
+  std::vector<DoorTag> stretches;
+  for (const DoorTag& tag : parted.knowledge.doors) {
+    if (tag.id != DoorId{5}) stretches.push_back(tag);
+  }
+  ASSERT_EQ(stretches.size(), 2U);
+  stretches[1].name = "hatch";
+  stretches[1].source = TagSource::kManual;
+  const SemanticMap named = after(parted, {PutTag{stretches[1]}});
+  EXPECT_EQ(named.area_map.doors.size(), 3U);
+  EXPECT_EQ(named.area_map.areas.size(), parted.area_map.areas.size());
+  EXPECT_EQ(named.area_map.pixel_labels, parted.area_map.pixel_labels);
+  EXPECT_TRUE(named.knowledge.pending.empty());
+}
+
 void expectSame(const SemanticMap& a, const SemanticMap& b) {
   ASSERT_EQ(a.area_map.areas.size(), b.area_map.areas.size());
   for (std::size_t i = 0; i < a.area_map.areas.size(); ++i) {
