@@ -41,7 +41,7 @@ const Area* findArea(const SemanticMap& map, AreaId id);
 /// The area that holds a point of the map frame [m], or nullptr.
 const Area* areaAt(const SemanticMap& map, const Point2& point_map);
 /// All that holds in a cell (paper, 4: "annotated with a set of symbols"): the name and category of
-/// its area, the names of its doors and objects; sorted, each once.
+/// its area and of the objects that overlap it, the names of its doors; sorted, each once.
 std::vector<std::string> symbolsAt(const SemanticMap& map, Cell cell);
 
 }  // namespace agrid

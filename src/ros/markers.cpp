@@ -16,8 +16,13 @@ constexpr double kAreaHeight = 0.01;
 constexpr double kCellHeight = 0.02;
 constexpr double kGraphHeight = 0.06;
 constexpr double kDoorHeight = 0.08;
+constexpr double kObjectHeight = 0.1;
+constexpr double kPendingHeight = 0.12;
 constexpr double kNameHeight = 0.5;
 constexpr double kNameOffset = 0.4;  // along y [m]
+
+/// How large a thing without a size is drawn [m].
+constexpr double kLeastSize = 0.2;
 
 std_msgs::ColorRGBA color(double r, double g, double b, double a) {
   std_msgs::ColorRGBA c;
@@ -156,22 +161,99 @@ void addGraph(visualization_msgs::MarkerArray& array, const agrid::SemanticMap& 
   }
 }
 
+/// The corners of a thing's bounding box, one after the other.
+std::vector<agrid::Point2> cornersOf(const agrid::Pose2& pose_map, const agrid::Point2& size) {
+  const agrid::Point2 half = size.cwiseAbs().cwiseMax(kLeastSize) / 2;
+  return {pose_map * agrid::Point2(-half), pose_map * agrid::Point2(half.x(), -half.y()),
+          pose_map * half, pose_map * agrid::Point2(-half.x(), half.y())};
+}
+
+bool isFinite(const agrid::Pose2& pose_map, const agrid::Point2& size) {
+  return pose_map.position.allFinite() && std::isfinite(pose_map.yaw) && size.allFinite();
+}
+
+std::vector<agrid::Point2> outlineOf(const std::vector<agrid::Point2>& c) {
+  return {c[0], c[1], c[1], c[2], c[2], c[3], c[3], c[0]};
+}
+
+void addObjects(visualization_msgs::MarkerArray& array, const agrid::SemanticMap& map,
+                const std_msgs::Header& header) {
+  ListMarkers faces(array, header, "objects", Marker::TRIANGLE_LIST, 1);
+  for (const agrid::ObjectTag& object : map.knowledge.objects) {
+    if (!isFinite(object.pose_map, object.size)) continue;
+    const auto c = cornersOf(object.pose_map, object.size);
+    faces.add({c[0], c[1], c[2], c[0], c[2], c[3]}, kObjectHeight, color(0.9, 0.1, 0.1, 0.4));
+  }
+  ListMarkers outlines(array, header, "objects", Marker::LINE_LIST, 0.04);
+  outlines.setNextId(faces.nextId());
+  for (const agrid::ObjectTag& object : map.knowledge.objects) {
+    if (!isFinite(object.pose_map, object.size)) continue;
+    outlines.add(outlineOf(cornersOf(object.pose_map, object.size)), kObjectHeight,
+                 color(0.9, 0.1, 0.1, 1));
+  }
+}
+
+/// What waits as lines: an area as a small box at its seed, a door from jamb to jamb.
+struct PendingLines {
+  std::vector<agrid::Point2> operator()(const agrid::AreaTag& area) const {
+    return boxOf({area.seed_map, 0}, agrid::Point2::Zero());
+  }
+  std::vector<agrid::Point2> operator()(const agrid::DoorTag& door) const {
+    const double half = std::max(door.width, kLeastSize) / 2;
+    if (!isFinite(door.pose_map, {half, half})) return {};
+    return {door.pose_map * agrid::Point2(0, -half), door.pose_map * agrid::Point2(0, half)};
+  }
+  std::vector<agrid::Point2> operator()(const agrid::ObjectTag& object) const {
+    return boxOf(object.pose_map, object.size);
+  }
+
+ private:
+  static std::vector<agrid::Point2> boxOf(const agrid::Pose2& pose_map, const agrid::Point2& size) {
+    if (!isFinite(pose_map, size)) return {};
+    return outlineOf(cornersOf(pose_map, size));
+  }
+};
+
+void addPending(visualization_msgs::MarkerArray& array, const agrid::SemanticMap& map,
+                const std_msgs::Header& header) {
+  ListMarkers lines(array, header, "pending", Marker::LINE_LIST, 0.06);
+  for (const agrid::PendingTag& pending : map.knowledge.pending) {
+    // nobody knows how another frame lies to this one
+    if (!pending.frame_id.empty() && pending.frame_id != header.frame_id) continue;
+    const auto points = std::visit(PendingLines{}, pending.tag);
+    if (!points.empty()) lines.add(points, kPendingHeight, color(1, 0.55, 0, 1));
+  }
+}
+
+Marker nameMarker(const std_msgs::Header& header, const std::string& name,
+                  const agrid::Point2& position_map) {
+  Marker text;
+  text.header = header;
+  text.ns = "names";
+  text.type = Marker::TEXT_VIEW_FACING;
+  text.pose.orientation.w = 1;
+  text.pose.position = toMsg(position_map);
+  text.pose.position.y += kNameOffset;
+  text.pose.position.z = kNameHeight;
+  text.scale.z = 0.4;
+  text.color = color(0, 0, 0, 1);
+  text.text = name;
+  return text;
+}
+
 void addNames(visualization_msgs::MarkerArray& array, const agrid::SemanticMap& map,
               const std_msgs::Header& header) {
   int id = 0;
   for (const agrid::Area& area : map.area_map.areas) {
-    Marker text;
-    text.header = header;
-    text.ns = "names";
-    text.id = id++;
-    text.type = Marker::TEXT_VIEW_FACING;
-    // beside the node of the graph, which lies on the anchor
-    text.pose = toMsg(agrid::Pose2{area.anchor_map + agrid::Point2(0, kNameOffset), 0});
-    text.pose.position.z = kNameHeight;
-    text.scale.z = 0.4;
-    text.color = color(0, 0, 0, 1);
-    text.text = area.name;
-    array.markers.push_back(text);
+    array.markers.push_back(nameMarker(header, area.name, area.anchor_map));
+    array.markers.back().id = id++;
+  }
+  for (const agrid::ObjectTag& object : map.knowledge.objects) {
+    if (!object.pose_map.position.allFinite()) continue;
+    array.markers.push_back(nameMarker(header, object.name, object.pose_map.position));
+    array.markers.back().id = id++;
+    array.markers.back().scale.z = 0.25;
+    array.markers.back().color = color(0.7, 0, 0, 1);
   }
 }
 
@@ -189,6 +271,8 @@ visualization_msgs::MarkerArray makeMarkers(const agrid::SemanticMap& map,
   addCells(array, map, header);
   addGraph(array, map, header);
   addDoors(array, map, header);
+  addObjects(array, map, header);
+  addPending(array, map, header);
   addNames(array, map, header);
   return array;
 }

@@ -151,9 +151,13 @@ nav_msgs::GetPlan::Response answerMakePlan(const Ground& ground,
   return response;
 }
 
-void remarkNewerMap(agrid_map::Status& status) {
+void remarkChange(agrid_map::Status& status, const Snapshot& used, const Snapshot* newest) {
+  if (newest == &used) return;
+  // edits share the metric map, a rebuild brings its own
+  const bool same_map = newest && newest->map->structure.map == used.map->structure.map;
   status.message += status.message.empty() ? "" : "; ";
-  status.message += "a newer map has been built meanwhile";
+  status.message +=
+      same_map ? "what is known has changed meanwhile" : "a newer map has been built meanwhile";
 }
 
 }  // namespace agrid_map_ros

@@ -33,7 +33,9 @@ agrid_map::PlanPath::Response answerPlanPath(const Ground& ground,
 nav_msgs::GetPlan::Response answerMakePlan(const Ground& ground,
                                            const nav_msgs::GetPlan::Request& request);
 
-/// Says that the answer is right for the map whose id it bears, but not the newest.
-void remarkNewerMap(agrid_map::Status& status);
+/// Says if an answer is right for what it was made from, but not for the newest: whether a newer
+/// map has been built meanwhile, or an edit has changed what is known about the same one.
+/// @param newest  nullptr if there is none any more
+void remarkChange(agrid_map::Status& status, const Snapshot& used, const Snapshot* newest);
 
 }  // namespace agrid_map_ros

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "agrid/semantic_map/object_area.h"
+#include "agrid/semantic_map/object_cells.h"
 #include "agrid_map_ros/conversions.h"
 #include "ros/cell_occupancy.h"
 
@@ -157,11 +159,9 @@ agrid_map::Object objectToMsg(const agrid::ObjectTag& object, const agrid::Seman
   msg.size.x = object.size.x();
   msg.size.y = object.size.y();
   msg.size.z = object.height;
-  const agrid::Area* area = agrid::areaAt(map, object.pose_map.position);
+  const agrid::Area* area = agrid::areaOf(map, object);
   msg.area = area ? static_cast<std::uint32_t>(area->id) : 0;
-  if (const auto cell = map.grid().cellAt(object.pose_map.position)) {
-    msg.cells.push_back(static_cast<std::uint32_t>(map.grid().index(*cell)));
-  }
+  msg.cells = agrid::cellsOf(map, object);
   msg.source = static_cast<std::uint8_t>(object.source);
   msg.properties = propertiesToMsg(object.properties);
   return msg;

@@ -151,7 +151,7 @@ agrid_map::PlanPath::Response Services::planPath(const Ground& ground,
   agrid_map::PlanPath::Response response = answerPlanPath(ground, request);
   if (response.status.code == Status::SUCCESS) deps_.outputs.publishPlan(response.path);
   const SnapshotPtr newest = deps_.keeper.snapshot();
-  if (newest.get() != &ground.snapshot) remarkNewerMap(response.status);
+  remarkChange(response.status, ground.snapshot, newest.get());
   return response;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "agrid/semantic_map/object_cells.h"
+
 namespace agrid {
 
 const Area* findArea(const SemanticMap& map, AreaId id) {
@@ -33,7 +35,9 @@ std::vector<std::string> symbolsAt(const SemanticMap& map, Cell cell) {
     if (std::binary_search(door.cells.begin(), door.cells.end(), index)) symbols.insert(door.name);
   }
   for (const ObjectTag& object : map.knowledge.objects) {
-    if (grid.cellAt(object.pose_map.position) == cell) symbols.insert(object.name);
+    if (!overlaps(grid, object, cell)) continue;
+    symbols.insert(object.name);
+    if (!object.category.empty()) symbols.insert(object.category);
   }
   return {symbols.begin(), symbols.end()};
 }

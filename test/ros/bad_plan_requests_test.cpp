@@ -128,13 +128,30 @@ TEST_F(Answers, P10_AllGoalsOfANameShareTheTimeout) {
       agrid::PlanStatus::kSuccess);
 }
 
-TEST_F(Answers, P16_ANewerMapIsRemarkedBesideWhatElseThereIsToSay) {
+TEST_F(Answers, P16_M20_ANewerMapIsRemarkedBesideWhatElseThereIsToSay) {
+  Snapshot newest = snapshot_;
+  auto map = std::make_shared<agrid::SemanticMap>(*snapshot_.map);
+  map->structure.map = std::make_shared<const agrid::OccupancyMap>(map->map());
+  newest.map = map;
   Status status;
-  remarkNewerMap(status);
+  remarkChange(status, snapshot_, &snapshot_);
+  EXPECT_EQ(status.message, "");
+  remarkChange(status, snapshot_, &newest);
   EXPECT_EQ(status.message, "a newer map has been built meanwhile");
   status.message = "a guess";
-  remarkNewerMap(status);
+  remarkChange(status, snapshot_, &newest);
   EXPECT_EQ(status.message, "a guess; a newer map has been built meanwhile");
+}
+
+TEST_F(Answers, P12_M20_AnEditMeanwhileIsNoNewerMap) {
+  Snapshot newest = snapshot_;
+  auto map = std::make_shared<agrid::SemanticMap>(*snapshot_.map);
+  map->area_map.areas.at(0).name = "kitchen";
+  newest.map = map;
+  ++newest.stamp.version;
+  Status status;
+  remarkChange(status, snapshot_, &newest);
+  EXPECT_EQ(status.message, "what is known has changed meanwhile");
 }
 
 TEST_F(Answers, P9_P10_P11_BadNumbersAndNames) {

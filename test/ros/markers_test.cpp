@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "agrid_map_ros/markers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -51,7 +52,8 @@ TEST(Markers, EveryNamespaceIsThereInTheMapsFrame) {
     EXPECT_EQ(marker.header.frame_id, "world");
     if (marker.action == Marker::ADD) namespaces.insert(marker.ns);
   }
-  EXPECT_EQ(namespaces, (std::set<std::string>{"areas", "cells", "doors", "graph", "names"}));
+  EXPECT_EQ(namespaces,
+            (std::set<std::string>{"areas", "cells", "doors", "graph", "names", "objects"}));
 }
 
 TEST(Markers, NamespaceAndIdAreUniqueAndCountUp) {
@@ -71,7 +73,7 @@ TEST(Markers, L11_ListsAreSplitBetweenWholeFigures) {
     EXPECT_NE(marker.type, int{Marker::LINE_STRIP});
     const std::size_t corners = marker.type == Marker::TRIANGLE_LIST ? 3 : 2;
     EXPECT_TRUE(marker.type == Marker::SPHERE_LIST || marker.points.size() % corners == 0);
-    if (marker.type == Marker::TRIANGLE_LIST) triangles += marker.points.size() / 3;
+    if (marker.ns == "areas") triangles += marker.points.size() / 3;
   }
   EXPECT_EQ(triangles, 2U * 300 * 100);
 }
@@ -114,12 +116,79 @@ TEST(Markers, CellsSideBySideInOneAreaMakeOneRectangle) {
   EXPECT_EQ(points, 2U * 6);  // hall: two cells, kitchen: one
 }
 
+std::size_t pointsIn(const visualization_msgs::MarkerArray& array, const std::string& ns) {
+  std::size_t points = 0;
+  for (const Marker& marker : array.markers) {
+    if (marker.ns == ns) points += marker.points.size();
+  }
+  return points;
+}
+
+TEST(Markers, ObjectsAreRedBoxesTurnedAsTheyAre) {
+  agrid::SemanticMap map = test::twoRooms();
+  map.knowledge.objects[0].pose_map = {{6, 2}, std::acos(-1.) / 2};
+  map.knowledge.objects[0].size = {1, 0.5};
+  double width = 0;
+  double height = 0;
+  for (const Marker& marker : markersOf(map).markers) {
+    if (marker.ns != "objects") continue;
+    for (std::size_t i = 0; i < marker.points.size(); ++i) {
+      width = std::max(width, std::abs(marker.points[i].x - 6));
+      height = std::max(height, std::abs(marker.points[i].y - 2));
+      EXPECT_GT(marker.colors[i].r, 2 * marker.colors[i].b);
+      EXPECT_GT(marker.colors[i].r, 2 * marker.colors[i].g);
+    }
+  }
+  EXPECT_NEAR(width, 0.25, 1e-9);
+  EXPECT_NEAR(height, 0.5, 1e-9);
+}
+
+TEST(Markers, WhatWaitsIsOrangeIfItLiesInTheMapsFrame) {
+  agrid::SemanticMap map = test::twoRooms();
+  agrid::AreaTag area;
+  agrid::DoorTag door;
+  door.width = 0.9;
+  auto& pending = map.knowledge.pending;
+  pending = {{area, "", "?"}, {door, "world", "?"}, {map.knowledge.objects[0], "", "?"}};
+  EXPECT_EQ(pointsIn(markersOf(map), "pending"), 8U + 2 + 8);
+  for (const Marker& marker : markersOf(map).markers) {
+    if (marker.ns != "pending") continue;
+    EXPECT_GT(marker.colors.at(0).r, marker.colors.at(0).g);
+    EXPECT_GT(marker.colors.at(0).g, marker.colors.at(0).b);
+  }
+  pending[0].frame_id = pending[1].frame_id = "map_of_yesterday";
+  EXPECT_EQ(pointsIn(markersOf(map), "pending"), 8U);
+}
+
+TEST(Markers, L11_ManyObjectsAndNoNumbersThatAreNone) {
+  agrid::SemanticMap map = test::twoRooms();
+  const agrid::ObjectTag fridge = map.knowledge.objects[0];
+  map.knowledge.objects.assign(100000, fridge);
+  map.knowledge.objects[7].pose_map.yaw = std::nan("");
+  map.knowledge.objects[8].size.x() = INFINITY;
+  map.knowledge.objects[9].pose_map.position.y() = std::nan("");
+  map.knowledge.pending = {{map.knowledge.objects[9], "", "?"}};
+  const auto array = markersOf(map);
+  EXPECT_EQ(array.markers.front().action, int{Marker::DELETEALL});
+  EXPECT_EQ(pointsIn(array, "objects"), (100000U - 3) * (6 + 8));
+  EXPECT_EQ(pointsIn(array, "pending"), 0U);
+  std::map<std::string, int> next;
+  for (const Marker& marker : array.markers) {
+    if (marker.action != Marker::ADD) continue;
+    ASSERT_EQ(marker.id, next[marker.ns]++) << marker.ns;
+    ASSERT_LE(marker.points.size(), kMaxMarkerPoints);
+    ASSERT_TRUE(std::isfinite(marker.pose.position.x + marker.pose.position.y));
+    for (const auto& point : marker.points) ASSERT_TRUE(std::isfinite(point.x + point.y));
+  }
+}
+
 TEST(Markers, NamesStandAtTheAnchors) {
   std::map<std::string, double> names;
   for (const Marker& marker : markersOf(test::twoRooms()).markers) {
     if (marker.ns == "names") names[marker.text] = marker.pose.position.x;
   }
-  EXPECT_EQ(names, (std::map<std::string, double>{{"hall", 2.5}, {"Kitchen", 6.5}}));
+  EXPECT_EQ(names,
+            (std::map<std::string, double>{{"fridge", 7.5}, {"hall", 2.5}, {"Kitchen", 6.5}}));
 }
 
 TEST(Markers, MapWithoutAreas) {
@@ -127,6 +196,7 @@ TEST(Markers, MapWithoutAreas) {
   map.area_map.areas.clear();
   map.area_map.doors.clear();
   map.graph.passages.clear();
+  map.knowledge.objects.clear();
   std::fill(map.area_map.cell_areas.begin(), map.area_map.cell_areas.end(), agrid::AreaId{0});
   EXPECT_EQ(markersOf(map).markers.size(), 2U);  // delete all, grid lines
 }
