@@ -51,6 +51,9 @@ struct StoreContents {
   /// Damage: something may be lost, and people must be told loudly. What was damaged is kept.
   std::vector<std::string> errors;
   std::vector<std::string> warnings;  ///< accepted, but looks wrong
+  /// The line of edits it belongs to: in files of the same one an id means the same thing. 0: none,
+  /// as in a file that a person wrote.
+  std::uint64_t history = 0;
 };
 
 struct StoreOptions {

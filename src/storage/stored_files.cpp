@@ -31,7 +31,7 @@ StoreContents readFile(const Directory& directory, const std::string& file) {
     throw StorageError(StorageErrorCode::kPath, directory.pathOf(file) + ": there is no such file");
   }
   ReadSnapshot read = readSnapshot(contents->text, directory.pathOf(file));
-  return {std::move(read.snapshot.map), false, {}, std::move(read.warnings)};
+  return {std::move(read.snapshot.map), false, {}, std::move(read.warnings), read.snapshot.history};
 }
 
 /// The process that holds the store may fold meanwhile; then all is read again.
@@ -75,6 +75,7 @@ StoreContents readStoredMap(const std::string& path) {
   if (found.snapshot_bytes == 0 && !found.contents.errors.empty()) {
     throw StorageError(StorageErrorCode::kCorrupt, found.contents.errors.front());
   }
+  found.contents.history = found.history;
   return std::move(found.contents);
 }
 

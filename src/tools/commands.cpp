@@ -6,12 +6,14 @@
 #include <iostream>
 
 #include "agrid/map/map_io.h"
+#include "agrid/storage.h"
 
 namespace agrid::tools {
 namespace {
 
 std::vector<Command> allCommands() {
-  return {convertCommand(), generateCommand(), planCommand(), evalCommand()};
+  return {convertCommand(), generateCommand(), planCommand(),
+          evalCommand(),    diffCommand(),     checkCommand()};
 }
 
 std::string toolHelp(const std::vector<Command>& commands) {
@@ -25,7 +27,8 @@ std::string toolHelp(const std::vector<Command>& commands) {
   return text +
          "\n  agrid_map_tool COMMAND --help   all about a command\n"
          "  agrid_map_tool --version        the version\n\n"
-         "exit codes: 0 done, 1 failed, 2 a file cannot be read or written, 64 wrong usage\n";
+         "exit codes: 0 done, 1 failed, 2 a file cannot be read or written, 64 wrong usage\n"
+         "diff and check: 0 nothing found, 1 differences or findings, 2 failed, 64 wrong usage\n";
 }
 
 int wrongUsage(const std::string& message, const std::string& usage) {
@@ -50,8 +53,10 @@ int runCommand(const Command& command, const std::vector<std::string>& words) {
     return wrongUsage(error.what(), usageLine(command.syntax));
   } catch (const FileError& error) {
     return fail(error, kFileFailed);
+  } catch (const StorageError& error) {
+    return fail(error, kFileFailed);
   } catch (const std::exception& error) {
-    return fail(error, kFailed);
+    return fail(error, command.failed);
   }
 }
 

@@ -7,9 +7,12 @@
 
 #include "agrid/map/map_io.h"
 #include "agrid/pipeline.h"
+#include "agrid/storage.h"
 #include "grid/edge_image.h"
+#include "storage/snapshot.h"
 #include "tools/commands.h"
 #include "tools/image_frame.h"
+#include "tools/laid_knowledge.h"
 #include "tools/output_directory.h"
 #include "tools/pictures.h"
 #include "tools/pipeline_options.h"
@@ -25,12 +28,14 @@ const std::vector<std::string> kFiles{"edges.png",  "walls.png",    "grid.png", 
                                       "graph.png",  "overview.png", "labels.png", "doors.csv",
                                       "graph.json", "summary.json"};
 
+constexpr const char* kTagsFile = "tags.yaml";
+
 void append(Warnings& warnings, const Warnings& more) {
   warnings.insert(warnings.end(), more.begin(), more.end());
 }
 
-SemanticMap makeMap(const std::string& yaml_path, const ConversionParams& params, StageMeter& meter,
-                    Warnings& warnings) {
+SemanticMap makeMap(const std::string& yaml_path, const ConversionParams& params,
+                    const StoredMap& known, StageMeter& meter, Warnings& warnings) {
   meter.begin("load");
   std::shared_ptr<const OccupancyMap> map;
   {
@@ -42,11 +47,12 @@ SemanticMap makeMap(const std::string& yaml_path, const ConversionParams& params
   }
   const auto on_stage = [&](const std::string& stage) { meter.begin(stage); };
   const Structure structure = extractStructure(map, params.pipeline, on_stage);
-  SemanticMap semantic_map = annotate(structure, {}, params.pipeline, on_stage);
+  LaidKnowledge laid = layKnowledge(structure, known, params.pipeline, on_stage);
   append(warnings, map->warnings());
   append(warnings, structure.walls.warnings);
-  append(warnings, semantic_map.area_map.warnings);
-  return semantic_map;
+  append(warnings, laid.map.area_map.warnings);
+  append(warnings, laid.report);
+  return std::move(laid.map);
 }
 
 void writePictures(const SemanticMap& map, const WallParams& params, OutputDirectory& output) {
@@ -71,18 +77,41 @@ std::string inAll(const std::vector<StageCost>& costs) {
   return text.str();
 }
 
+/// What is stored, or an empty place.
+StoredMap knownBefore(const Arguments& arguments, Warnings& warnings) {
+  StoredMap nothing;
+  nothing.frame_id = "map";
+  if (!arguments.has("tags")) return nothing;
+  StoreContents contents = readStoredMap(arguments.value("tags"));
+  append(warnings, contents.errors);
+  append(warnings, contents.warnings);
+  return std::move(contents.map);
+}
+
+std::vector<std::string> filesToWrite(const Arguments& arguments) {
+  std::vector<std::string> files = kFiles;
+  if (arguments.has("save-tags")) files.emplace_back(kTagsFile);
+  return files;
+}
+
 int convert(const Arguments& arguments) {
   const ConversionParams params = conversionParams(arguments);
-  OutputDirectory output(arguments.value("output"), kFiles, arguments.has("force"));
+  OutputDirectory output(arguments.value("output"), filesToWrite(arguments),
+                         arguments.has("force"));
   StageMeter meter("convert");
   Warnings warnings;
-  const SemanticMap map = makeMap(arguments.operand(0), params, meter, warnings);
+  const StoredMap known = knownBefore(arguments, warnings);
+  const SemanticMap map = makeMap(arguments.operand(0), params, known, meter, warnings);
   const MapGeometry& geometry = map.map().geometry();
   meter.begin("write");
   writePictures(map, params.pipeline.walls, output);
   writePng(output.stagedPath("labels.png"), labelImage(map.area_map.pixel_labels, geometry));
   writeText(output.stagedPath("doors.csv"), segmentsCsv(doorSegments(map.area_map), geometry));
   writeText(output.stagedPath("graph.json"), graphJson(map));
+  if (arguments.has("save-tags")) {
+    const StoredMap after{map.map().digest(), known.frame_id, map.knowledge};
+    writeText(output.stagedPath(kTagsFile), snapshotText({after, 0, 0}));
+  }
   meter.end();
   writeText(output.stagedPath("summary.json"), summaryJson(map, meter.costs(), warnings));
   output.publish();
@@ -103,6 +132,8 @@ Command convertCommand() {
   syntax.options = {
       {"output", 'o', "DIR", "directory to write to; made if missing", true},
       {"force", 0, "", "replace files that exist"},
+      {"tags", 't', "FILE.yaml", "lay stored tags over the map"},
+      {"save-tags", 0, "", "write all that is known then as tags.yaml"},
   };
   for (const Option& option : pipelineOptions()) syntax.options.push_back(option);
   return {syntax, convert};
