@@ -72,7 +72,7 @@ agrid::Plan planPathTo(const Ground& ground, const agrid_map::PlanPath::Request&
   }
   const agrid::FoundThings found =
       findThings(*ground.snapshot.map, request.goal_name, {false, true});
-  const WayFinder ways{*ground.snapshot.planner, limit};
+  const WayFinder ways{*ground.snapshot.planner, limit, ground.snapshot.map.get()};
   agrid::Plan plan = ways.planToNearest(found.things, wanted, request.goal_at_anchor);
   plan.message = withRemark(found, plan.message);
   return plan;

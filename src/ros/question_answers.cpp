@@ -35,7 +35,7 @@ Distances distancesTo(const std::vector<agrid::Thing>& things, const WayFinder& 
   Distances distances;
   for (const agrid::Thing& thing : things) {
     Match match{thing};
-    const agrid::Plan plan = ways.planner.plan(ways.timedRequestTo(thing, wanted, false));
+    const agrid::Plan plan = ways.planTo(thing, wanted, false);
     if (plan.status == agrid::PlanStatus::kCancelled) {
       throw RequestError(Status::CANCELLED, plan.message);
     }
@@ -85,8 +85,9 @@ agrid_map::WhereIs::Response answerWhereIs(const Ground& ground,
   } else {
     wanted.start = frames.planPoint(request.start);
   }
-  const agrid::FoundThings found = findThings(*snapshot.map, request.name, {true, true});
-  const Distances distances = distancesTo(found.things, {*snapshot.planner, limit}, wanted);
+  const agrid::SemanticMap& map = *snapshot.map;
+  const agrid::FoundThings found = findThings(map, request.name, {true, true});
+  const Distances distances = distancesTo(found.things, {*snapshot.planner, limit, &map}, wanted);
   agrid_map::WhereIs::Response response;
   response.status.message = withRemark(found, distances.problem);
   for (const Match& match : distances.matches) {

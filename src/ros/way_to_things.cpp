@@ -2,8 +2,11 @@
 #include "ros/way_to_things.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
+
+#include "agrid/semantic_map/object_area.h"
 
 namespace agrid_map_ros {
 namespace {
@@ -19,6 +22,42 @@ struct Reach {
     return kReach + object->size.norm() / 2;
   }
 };
+
+/// A place around an object; the one with the lowest cost is tried first.
+struct Place {
+  agrid::PlanPoint point;
+  double cost = 0;
+};
+
+/// Places around an object's box that face its centre, the best ones first.
+/// @param radius  the robot's [m]
+std::vector<Place> placesBeside(const agrid::ObjectTag& object, const agrid::Point2& start_map,
+                                double radius, const agrid::SemanticMap* map) {
+  constexpr int kDirections = 16;
+  constexpr double kWeightOfGap = 3;  // rather a longer way than a stop far off
+  constexpr double kOtherArea = 1e6;  // [m], beyond every way
+  const agrid::Area* home = map ? agrid::areaOf(*map, object) : nullptr;
+  const agrid::Point2 half = object.size / 2;
+  std::vector<Place> places;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2 * std::acos(-1.0) * i / kDirections;
+    const agrid::Point2 away(std::cos(angle), std::sin(angle));
+    const double rim = std::min(half.x() / std::max(std::abs(away.x()), 1e-9),
+                                half.y() / std::max(std::abs(away.y()), 1e-9));
+    for (const double gap : {0.05, 0.15, 0.3, 0.5, 0.75, kReach}) {
+      Place place;
+      place.point.position_map = object.pose_map * agrid::Point2(away * (rim + radius + gap));
+      const agrid::Point2 look = object.pose_map.position - place.point.position_map;
+      place.point.yaw = std::atan2(look.y(), look.x());
+      place.cost = (place.point.position_map - start_map).norm() + kWeightOfGap * gap;
+      if (home && agrid::areaAt(*map, place.point.position_map) != home) place.cost += kOtherArea;
+      places.push_back(place);
+    }
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.cost < b.cost; });
+  return places;
+}
 
 std::string overAfter(std::size_t count, std::size_t all, const std::string& message) {
   return (message.empty() ? "" : "; ") + std::string("the time was over after ") +
@@ -46,16 +85,54 @@ agrid::PlanRequest WayFinder::timedRequestTo(const agrid::Thing& thing,
   return request;
 }
 
+agrid::Plan WayFinder::planTo(const agrid::Thing& thing, const agrid::PlanRequest& base,
+                              bool at_anchor) const {
+  constexpr int kMostWithoutRoute = 8;  // it takes a while to say why there is none
+  const auto* object = std::get_if<const agrid::ObjectTag*>(&thing);
+  if (!object) return planner.plan(timedRequestTo(thing, base, at_anchor));
+  int without_route = 0;
+  const double radius = base.robot_radius.value_or(planner.circleRadius());
+  for (const Place& place : placesBeside(**object, base.start.position_map, radius, map)) {
+    agrid::PlanRequest request = timedRequestTo(thing, base, at_anchor);
+    request.goal = place.point;
+    request.tolerance = 0;
+    agrid::Plan plan = planner.plan(request);
+    if (plan.status == agrid::PlanStatus::kSuccess) {
+      plan.message = "ends beside '" + (*object)->name + "' and faces it";
+      return plan;
+    }
+    if (plan.status == agrid::PlanStatus::kStartInvalid) {
+      // what may be moved is moved as it would be for a place near the object
+      plan = planner.plan(timedRequestTo(thing, base, at_anchor));
+      if (plan.status != agrid::PlanStatus::kSuccess || !plan.start_moved) return plan;
+      agrid::PlanRequest moved = base;
+      moved.start.position_map = plan.path_map.front().position;
+      plan = planTo(thing, moved, at_anchor);
+      plan.start_moved = true;
+      return plan;
+    }
+    const bool not_there = plan.status == agrid::PlanStatus::kGoalInvalid;
+    const bool no_route = plan.status == agrid::PlanStatus::kNoRoute;
+    if (!not_there && !no_route) break;
+    if (no_route && ++without_route == kMostWithoutRoute) break;
+  }
+  agrid::Plan plan = planner.plan(timedRequestTo(thing, base, at_anchor));
+  if (plan.status == agrid::PlanStatus::kSuccess) {
+    plan.message = "no free place beside '" + (*object)->name + "' can be reached; ends near it";
+  }
+  return plan;
+}
+
 agrid::Plan WayFinder::planToNearest(const std::vector<agrid::Thing>& things,
                                      const agrid::PlanRequest& base, bool at_anchor) const {
-  agrid::Plan best = planner.plan(timedRequestTo(things.at(0), base, at_anchor));
+  agrid::Plan best = planTo(things.at(0), base, at_anchor);
   double seconds = best.planning_time;
   for (std::size_t i = 1; i < things.size(); ++i) {
     if (limit.isOver()) {
       best.message += overAfter(i, things.size(), best.message);
       break;
     }
-    agrid::Plan plan = planner.plan(timedRequestTo(things[i], base, at_anchor));
+    agrid::Plan plan = planTo(things[i], base, at_anchor);
     seconds += plan.planning_time;
     const bool better = best.status != agrid::PlanStatus::kSuccess || plan.length < best.length;
     if (plan.status == agrid::PlanStatus::kSuccess && better) best = std::move(plan);

@@ -19,6 +19,16 @@ agrid::PlanRequest requestTo(const agrid::Thing& thing, const agrid::PlanRequest
 struct WayFinder {
   const agrid::Planner& planner;
   const TimeLimit& limit;
+  /// Where it is known, places in the object's own area come first, as one may be nearer behind a
+  /// wall.
+  const agrid::SemanticMap* map = nullptr;
+
+  /// The way to a thing. To an object it ends beside its box and faces its centre, at the first of
+  /// the places around it that can be reached: those of its own area first, then those near to both
+  /// it and the start. Where none can be, the way is that of requestTo, and the message says so.
+  /// @param base  all but goal and timeout
+  agrid::Plan planTo(const agrid::Thing& thing, const agrid::PlanRequest& base,
+                     bool at_anchor) const;
 
   /// The shortest of the ways to the things; if none can be reached, what is said of the first. The
   /// message tells if the time was over before all were looked at.

@@ -141,5 +141,38 @@ TEST_F(Answers, WhereIsWithoutAWay) {
   EXPECT_EQ(response.distances[0], std::numeric_limits<double>::infinity());
 }
 
+TEST_F(Answers, APathToAnObjectEndsBesideItAndFacesIt) {
+  const agrid::Point2 places[] = {{9.5, 3.5}, {8, 5.8}, {7.2, 1.2}, {10, 6.05}, {7.1, 5}};
+  for (const agrid::Point2& center : places) {  // in the open, at walls, in a corner, in a wall
+    auto map = std::make_shared<agrid::SemanticMap>(*snapshot_.map);
+    agrid::ObjectTag fridge;
+    fridge.name = "fridge";
+    fridge.pose_map = {center, 0.3};
+    fridge.size = {0.6, 0.4};
+    map->knowledge.objects = {fridge};
+    snapshot_.map = map;
+    agrid_map::PlanPath::Request request;
+    request.start = at(2.5, 3.5);
+    request.goal_name = "fridge";
+    const auto response = answerPlanPath(ground_, request);
+    ASSERT_EQ(response.status.code, int{Status::SUCCESS}) << response.status.message;
+    EXPECT_NE(response.status.message.find("faces it"), std::string::npos);
+    request.start = at(2.5, 1.05);  // too close to the wall
+    request.tolerance = 0.5;
+    const auto moved = answerPlanPath(ground_, request);
+    EXPECT_TRUE(moved.start_moved);
+    EXPECT_NE(moved.status.message.find("faces it"), std::string::npos) << moved.status.message;
+    const agrid::Pose2 last = fromMsg(response.path.poses.back().pose);
+    const agrid::Point2 look = center - last.position;
+    EXPECT_NEAR(std::remainder(last.yaw - std::atan2(look.y(), look.x()), 2 * M_PI), 0, 1e-3);
+    EXPECT_EQ(areaAt(last.position.x(), last.position.y()), areaAt(9.5, 3.5));
+    const agrid::Point2 local = inverse(fridge.pose_map) * last.position;
+    const double gap = (local.cwiseAbs() - fridge.size / 2).cwiseMax(0).matrix().norm();
+    EXPECT_GT(gap, 0.1);
+    EXPECT_LT(gap, 1.3);
+    EXPECT_GT(response.clearance, 0.1);
+  }
+}
+
 }  // namespace
 }  // namespace agrid_map_ros
