@@ -83,17 +83,17 @@ class Place {
 
   /// Names the first area, puts a thing into it and switches a door.
   void edit(int cycle) {
-    const agrid::Area& area = map_->area_map.areas.front();
+    const agrid::Point2 anchor_map = map_->area_map.areas.at(0).anchor_map;  // the map ends
     agrid::AreaTag name;
     name.name = "kitchen " + std::to_string(cycle);
-    name.seed_map = area.anchor_map;
+    name.seed_map = anchor_map;
     name.source = agrid::TagSource::kManual;
     make(agrid::AddTag{name, true});
     agrid::ObjectTag fridge;
     fridge.name = "fridge";
-    fridge.pose_map = {area.anchor_map, 0};
+    fridge.pose_map = {anchor_map, 0};
     make(agrid::AddTag{fridge, true});
-    make(agrid::SetDoor{map_->area_map.doors.front().id,
+    make(agrid::SetDoor{map_->area_map.doors.at(0).id,
                         cycle % 4 < 2 ? agrid::DoorState::kClosed : agrid::DoorState::kOpen});
     if (store_.journalIsLong()) store_.fold({map_->map().digest(), "map", map_->knowledge});
   }
