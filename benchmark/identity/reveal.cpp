@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "agrid/evaluation/perturbation.h"
+
 namespace agrid::bench {
 namespace {
 
@@ -140,16 +142,6 @@ std::uint32_t scrambled(std::uint64_t key) {
   key = (key ^ (key >> 31U)) * 0x7fb5d329728ea185ULL;
   key = (key ^ (key >> 27U)) * 0x81dadef4bc2dd44dULL;
   return static_cast<std::uint32_t>(key >> 33U);
-}
-
-bool touchesObstacle(const OccupancyMap& map, Pixel p) {
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      const Pixel q{p.x + dx, p.y + dy};
-      if (map.geometry().contains(q) && !map.isFree(q)) return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace

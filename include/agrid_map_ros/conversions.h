@@ -23,6 +23,7 @@
 
 #include "agrid/planning/planner.h"
 #include "agrid/semantic_map.h"
+#include "agrid/semantic_map/thing_lookup.h"
 
 namespace agrid_map_ros {
 
@@ -103,6 +104,7 @@ nav_msgs::OccupancyGrid areasToMsg(const agrid::SemanticMap& map, const std_msgs
 agrid_map::Tag tagOf(const agrid::Area& area, const std_msgs::Header& header);
 agrid_map::Tag tagOf(const agrid::Door& door, const std_msgs::Header& header);
 agrid_map::Tag tagOf(const agrid::ObjectTag& object, const std_msgs::Header& header);
+agrid_map::Tag tagOf(const agrid::Thing& thing, const std_msgs::Header& header);
 /// What waits, in its own frame, with the reason as the property `pending`.
 agrid_map::Tag tagOf(const agrid::PendingTag& pending, const std_msgs::Header& header);
 

@@ -10,6 +10,7 @@
 
 #include "areas/paper_watershed.h"
 #include "areas/seeded_flood.h"
+#include "tags/default_name.h"
 #include "tags/hand_over.h"
 #include "tags/pixel_runs.h"
 
@@ -85,8 +86,7 @@ void nameAreas(std::vector<AreaTag>& tags) {
   for (const AreaTag& tag : tags) used.insert(tag.name);
   for (AreaTag& tag : tags) {
     if (!tag.name.empty()) continue;
-    tag.name = "area_" + std::to_string(static_cast<std::uint32_t>(tag.id));
-    while (!used.insert(tag.name).second) tag.name += "_";
+    tag.name = defaultName("area", static_cast<std::uint32_t>(tag.id), used);
   }
 }
 

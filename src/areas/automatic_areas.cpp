@@ -29,7 +29,6 @@ std::shared_ptr<const AutomaticAreas> findAutomaticAreas(const OccupancyMap& map
   found->boxes = boxesOf(found->area_map, map.geometry());
   found->min_area_size = params.min_island_size;
   found->min_border_length = params.min_border_length;
-  found->max_door_width = params.max_door_width;
   return found;
 }
 

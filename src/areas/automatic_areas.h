@@ -14,7 +14,6 @@ struct AutomaticAreas {
   std::vector<cv::Rect> boxes;   ///< of the pixels of each area
   double min_area_size = 0;      ///< [m^2]; what a door cuts off must be this large to be an area
   double min_border_length = 0;  ///< shorter borders are no doors [m]
-  double max_door_width = 0;     ///< wider borders are passages [m]
 };
 
 }  // namespace agrid

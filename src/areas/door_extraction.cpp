@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "tags/borders.h"
+#include "tags/default_name.h"
 #include "tags/region_graph.h"
 #include "tags/separation.h"
 
@@ -142,8 +143,7 @@ void numberDoors(std::vector<Door>& doors) {
       door.id = DoorId{next++};
     }
     if (!door.name.empty()) continue;
-    door.name = "door_" + std::to_string(static_cast<std::uint32_t>(door.id));
-    while (!names.insert(door.name).second) door.name += "_";
+    door.name = defaultName("door", static_cast<std::uint32_t>(door.id), names);
   }
   std::stable_sort(doors.begin(), doors.end(),
                    [](const Door& a, const Door& b) { return a.id < b.id; });

@@ -14,11 +14,6 @@ constexpr double kSamePlace = 0.15;  // [m]
 constexpr double kReach = 1.0;       // how far from a door its areas are looked for [m]
 constexpr int kBarrierPx = 2;        // a barrier's own pixels go to either side
 
-double yawThrough(const Segment& jambs) {
-  const Point2 along = jambs.b - jambs.a;
-  return std::atan2(-along.x(), along.y());
-}
-
 /// Image frame, in pixels.
 Point2 inPixels(const MapGeometry& geometry, const Point2& point_map) {
   return inverse(geometry.map_from_image) * point_map / geometry.resolution;
@@ -58,7 +53,7 @@ DoorTag tagOf(const Door& door) {
   DoorTag tag;
   tag.id = door.id;
   tag.name = door.name;
-  tag.pose_map = {door.jambs_map.midpoint(), yawThrough(door.jambs_map)};
+  tag.pose_map = poseOf(door);
   tag.width = door.width;
   tag.state = door.state;
   tag.source = door.source;
@@ -69,7 +64,7 @@ DoorTag tagOf(const Door& door) {
 std::optional<DoorFit> fitOf(const DoorTag& tag, const Door& door, double resolution) {
   const double reach = std::max(kSamePlace, 2 * resolution);
   const Segment& jambs = door.jambs_map;
-  if (!leadSameWay(tag.pose_map.yaw, yawThrough(jambs))) return std::nullopt;
+  if (!leadSameWay(tag.pose_map.yaw, poseOf(door).yaw)) return std::nullopt;
   const double from_middle = (jambs.midpoint() - tag.pose_map.position).norm();
   if (from_middle <= reach) return DoorFit{false, from_middle};
   const Point2 along = jambs.b - jambs.a;

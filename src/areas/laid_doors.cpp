@@ -8,6 +8,7 @@
 
 #include "areas/cell_labels.h"
 #include "areas/door_places.h"
+#include "tags/default_name.h"
 
 namespace agrid {
 namespace {
@@ -134,8 +135,7 @@ void keepTags(std::vector<Door>& doors, Knowledge& known) {
     const DoorTag* tag = hasTag(door) ? findTag(known, door.id) : nullptr;
     if (!tag) door.id = DoorId{known.next_ids.door++};
     if (door.name.empty()) {
-      door.name = "door_" + std::to_string(static_cast<std::uint32_t>(door.id));
-      while (!names.insert(door.name).second) door.name += "_";
+      door.name = defaultName("door", static_cast<std::uint32_t>(door.id), names);
     }
     tags.push_back(tag && isGiven(*tag) ? *tag : tagOf(door));
     tags.back().name = door.name;

@@ -29,7 +29,6 @@ class LaidGroups {
   LaidGroups(const OccupancyMap& map, const AutomaticAreas& automatic, const Grouping& grouping,
              const FormerTags* former);
 
-  std::vector<LaidGroup>& groups() { return groups_; }
   const std::vector<LaidGroup>& groups() const { return groups_; }
 
   /// Offers tags the parts that hold their seeds: given ones first, then the lower id.

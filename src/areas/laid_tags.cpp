@@ -12,27 +12,10 @@
 #include "areas/label_painter.h"
 #include "areas/laid_doors.h"
 #include "areas/laid_groups.h"
+#include "tags/default_name.h"
 
 namespace agrid {
 namespace {
-
-std::uint32_t number(AreaId id) { return static_cast<std::uint32_t>(id); }
-
-/// Names that nobody has yet, made from an id.
-class DefaultNames {
- public:
-  explicit DefaultNames(const std::vector<AreaTag>& tags) {
-    for (const AreaTag& tag : tags) used_.insert(tag.name);
-  }
-  std::string nameOf(AreaId id) {
-    std::string name = "area_" + std::to_string(number(id));
-    while (!used_.insert(name).second) name += "_";
-    return name;
-  }
-
- private:
-  std::set<std::string> used_;
-};
 
 /// Why a given area tag sits nowhere, for a person.
 std::string whyNoSeat(const AreaTag& tag, const OccupancyMap& map) {
@@ -53,7 +36,8 @@ std::string whyNoSeat(const AreaTag& tag, const OccupancyMap& map) {
 /// @return the tags of each group's parts
 SeatedTags fillSeats(const LaidGroups& laid, const OccupancyMap& map, Knowledge& known) {
   std::set<AreaId> seated;
-  DefaultNames names(known.areas);
+  std::set<std::string> names;
+  for (const AreaTag& tag : known.areas) names.insert(tag.name);
   SeatedTags tags;
   for (const LaidGroup& group : laid.groups()) {
     tags.emplace_back();
@@ -66,7 +50,9 @@ SeatedTags fillSeats(const LaidGroups& laid, const OccupancyMap& map, Knowledge&
         tag.id = AreaId{known.next_ids.area++};
         tag.seed_map = shape.anchor_map;
       }
-      if (tag.name.empty()) tag.name = names.nameOf(tag.id);
+      if (tag.name.empty()) {
+        tag.name = defaultName("area", static_cast<std::uint32_t>(tag.id), names);
+      }
       tag.outline_map = shape.outline_map;
       seated.insert(tag.id);
       tags.back().push_back(std::move(tag));

@@ -129,11 +129,6 @@ std::vector<Place> landmarksOf(const SemanticMap& map, const Question& question,
   return landmarks;
 }
 
-TagKind kindOf(const Thing& thing) {
-  constexpr std::array<TagKind, 3> kKinds = {TagKind::kArea, TagKind::kDoor, TagKind::kObject};
-  return kKinds.at(thing.index());
-}
-
 std::vector<Thing> candidatesOf(const SemanticMap& map, const Question& question) {
   std::vector<Thing> things;
   if (!question.what.empty()) {

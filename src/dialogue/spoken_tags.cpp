@@ -99,8 +99,7 @@ struct Renamed {
     DoorTag tag;
     tag.id = door->id;
     tag.name = name;
-    const Point2 along = door->jambs_map.b - door->jambs_map.a;
-    tag.pose_map = {door->jambs_map.midpoint(), std::atan2(-along.x(), along.y())};
+    tag.pose_map = poseOf(*door);
     tag.source = TagSource::kInteraction;
     return tag;
   }

@@ -69,6 +69,8 @@ OccupancyMap resampledOn(const MapGeometry& geometry, const OccupancyMap& map) {
 
 int roundedUp(double size) { return static_cast<int>(std::ceil(size - kSlack)); }
 
+}  // namespace
+
 bool touchesObstacle(const OccupancyMap& map, Pixel p) {
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
@@ -78,8 +80,6 @@ bool touchesObstacle(const OccupancyMap& map, Pixel p) {
   }
   return false;
 }
-
-}  // namespace
 
 OccupancyMap turned(const OccupancyMap& map, double degrees) {
   const MapGeometry& old = map.geometry();

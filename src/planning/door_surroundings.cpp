@@ -16,26 +16,6 @@ namespace {
 /// How far from a door that is too narrow its rooms' free space is looked for [m].
 constexpr double kReach = 3;
 
-std::array<Pixel, 4> neighbours(Pixel p) {
-  return {{{p.x + 1, p.y}, {p.x - 1, p.y}, {p.x, p.y + 1}, {p.x, p.y - 1}}};
-}
-
-bool holds(const PixelBox& box, Pixel p) {
-  return p.x >= box.low.x && p.y >= box.low.y && p.x <= box.high.x && p.y <= box.high.y;
-}
-
-std::size_t indexIn(const PixelBox& box, Pixel p) {
-  return static_cast<std::size_t>(p.y - box.low.y) * box.columns() +
-         static_cast<std::size_t>(p.x - box.low.x);
-}
-
-template <typename Visit>
-void forEachPixel(const PixelBox& box, const Visit& visit) {
-  for (int y = box.low.y; y <= box.high.y; ++y) {
-    for (int x = box.low.x; x <= box.high.x; ++x) visit(Pixel{x, y});
-  }
-}
-
 /// Unites the sets that have an element in common.
 std::vector<std::vector<std::uint32_t>> united(const std::vector<std::set<std::uint32_t>>& sets) {
   std::vector<std::set<std::uint32_t>> groups;

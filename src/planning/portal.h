@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "agrid/map/map_geometry.h"
@@ -29,6 +30,27 @@ PixelBox merged(const PixelBox& a, const PixelBox& b);
 PixelBox common(const PixelBox& a, const PixelBox& b);
 inline bool overlap(const PixelBox& a, const PixelBox& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+inline bool holds(const PixelBox& box, Pixel p) {
+  return p.x >= box.low.x && p.y >= box.low.y && p.x <= box.high.x && p.y <= box.high.y;
+}
+/// Position in row-major data of a box's pixels; the box must hold the pixel.
+inline std::size_t indexIn(const PixelBox& box, Pixel p) {
+  return static_cast<std::size_t>(p.y - box.low.y) * box.columns() +
+         static_cast<std::size_t>(p.x - box.low.x);
+}
+/// Row by row.
+template <typename Visit>
+void forEachPixel(const PixelBox& box, const Visit& visit) {
+  for (int y = box.low.y; y <= box.high.y; ++y) {
+    for (int x = box.low.x; x <= box.high.x; ++x) visit(Pixel{x, y});
+  }
+}
+
+/// The pixels that touch one by their sides.
+inline std::array<Pixel, 4> neighbours(Pixel p) {
+  return {{{p.x + 1, p.y}, {p.x - 1, p.y}, {p.x, p.y + 1}, {p.x, p.y - 1}}};
 }
 
 /// A run of pixel pairs (side by side or one above the other) whose two pixels are free and lie in

@@ -12,26 +12,6 @@ constexpr int kDetour = 12;
 /// Of a pixel that is being given a node.
 constexpr std::uint32_t kPending = kNoNode - 1;
 
-std::array<Pixel, 4> neighbours(Pixel p) {
-  return {{{p.x + 1, p.y}, {p.x - 1, p.y}, {p.x, p.y + 1}, {p.x, p.y - 1}}};
-}
-
-bool holds(const PixelBox& box, Pixel p) {
-  return p.x >= box.low.x && p.y >= box.low.y && p.x <= box.high.x && p.y <= box.high.y;
-}
-
-std::size_t indexIn(const PixelBox& box, Pixel p) {
-  return static_cast<std::size_t>(p.y - box.low.y) * box.columns() +
-         static_cast<std::size_t>(p.x - box.low.x);
-}
-
-template <typename Visit>
-void forEachPixel(const PixelBox& box, const Visit& visit) {
-  for (int y = box.low.y; y <= box.high.y; ++y) {
-    for (int x = box.low.x; x <= box.high.x; ++x) visit(Pixel{x, y});
-  }
-}
-
 }  // namespace
 
 std::uint32_t PortalGraphPatch::nodeAt(Pixel p) const {

@@ -23,10 +23,6 @@ void freeOfRow(const FreeSpace& free, Pixel first, std::vector<std::uint8_t>& ro
   }
 }
 
-bool holds(const PixelBox& box, Pixel p) {
-  return p.x >= box.low.x && p.y >= box.low.y && p.x <= box.high.x && p.y <= box.high.y;
-}
-
 }  // namespace
 
 std::vector<TurningPoint> turningPoints(const FreeSpace& free, const StopCheck& stop) {

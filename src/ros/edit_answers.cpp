@@ -66,16 +66,6 @@ bool saysNothing(const agrid_map::Tag& tag) {
          p.y == 0 && p.z == 0;
 }
 
-std::uint32_t idOfThing(const agrid::Thing& thing) {
-  return std::visit([](const auto* held) { return static_cast<std::uint32_t>(held->id); }, thing);
-}
-
-agrid::TagKind kindOfThing(const agrid::Thing& thing) {
-  if (std::holds_alternative<const agrid::Area*>(thing)) return agrid::TagKind::kArea;
-  if (std::holds_alternative<const agrid::Door*>(thing)) return agrid::TagKind::kDoor;
-  return agrid::TagKind::kObject;
-}
-
 const char* wordFor(agrid::TagKind kind) {
   return kind == agrid::TagKind::kArea ? "area" : kind == agrid::TagKind::kDoor ? "door" : "object";
 }
@@ -102,7 +92,7 @@ std::uint32_t idCalled(const Snapshot& snapshot, const std::string& name, agrid:
   }
   if (!ids.empty()) return onlyOne(ids, name, kind);
   for (const agrid::Thing& thing : agrid::findThings(*snapshot.map, name, {true, false}).things) {
-    if (kindOfThing(thing) == kind) ids.push_back(idOfThing(thing));
+    if (agrid::kindOf(thing) == kind) ids.push_back(agrid::idOf(thing));
   }
   return onlyOne(ids, name, kind);
 }

@@ -45,10 +45,6 @@ struct AsRequest {
   }
 };
 
-agrid_map::Tag tagOfThing(const agrid::Thing& thing, const std_msgs::Header& header) {
-  return std::visit([&header](const auto* held) { return tagOf(*held, header); }, thing);
-}
-
 }  // namespace
 
 agrid_map::Tag clickedTag(const std::string& click_tag, const geometry_msgs::PointStamped& point) {
@@ -160,7 +156,7 @@ agrid_map::Query::Response Hearing::answerQuery(const Ground& ground,
   }
   response.answer = answer.sentence;
   for (const agrid::Thing& thing : answer.things) {
-    response.things.push_back(tagOfThing(thing, snapshot.stamp.header));
+    response.things.push_back(tagOf(thing, snapshot.stamp.header));
   }
   return response;
 }

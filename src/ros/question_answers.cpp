@@ -20,10 +20,6 @@ struct Match {
   double distance = std::numeric_limits<double>::infinity();  // [m]
 };
 
-agrid_map::Tag tagOfThing(const agrid::Thing& thing, const std_msgs::Header& header) {
-  return std::visit([&header](const auto* held) { return tagOf(*held, header); }, thing);
-}
-
 /// How far the things are, the nearest first, and why one cannot be reached.
 struct Distances {
   std::vector<Match> matches;
@@ -91,7 +87,7 @@ agrid_map::WhereIs::Response answerWhereIs(const Ground& ground,
   agrid_map::WhereIs::Response response;
   response.status.message = withRemark(found, distances.problem);
   for (const Match& match : distances.matches) {
-    response.matches.push_back(tagOfThing(match.thing, snapshot.stamp.header));
+    response.matches.push_back(tagOf(match.thing, snapshot.stamp.header));
     response.distances.push_back(match.distance);
   }
   return response;

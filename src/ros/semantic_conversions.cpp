@@ -220,10 +220,8 @@ agrid_map::Tag tagOf(const agrid::Area& area, const std_msgs::Header& header) {
 }
 
 agrid_map::Tag tagOf(const agrid::Door& door, const std_msgs::Header& header) {
-  const agrid::Point2 along = door.jambs_map.b - door.jambs_map.a;
   agrid_map::Tag msg = tagOfThing(door, agrid_map::Tag::DOOR, header);
-  // x leads through the door: at right angles to the line between the jambs
-  msg.pose = toMsg(agrid::Pose2{door.jambs_map.midpoint(), std::atan2(-along.x(), along.y())});
+  msg.pose = toMsg(agrid::poseOf(door));
   msg.size.y = door.width;
   return msg;
 }
@@ -236,6 +234,10 @@ agrid_map::Tag tagOf(const agrid::ObjectTag& object, const std_msgs::Header& hea
   msg.size.y = object.size.y();
   msg.size.z = object.height;
   return msg;
+}
+
+agrid_map::Tag tagOf(const agrid::Thing& thing, const std_msgs::Header& header) {
+  return std::visit([&header](const auto* held) { return tagOf(*held, header); }, thing);
 }
 
 namespace {

@@ -96,6 +96,15 @@ const std::string& nameOf(const Thing& thing) {
   return std::visit([](const auto* held) -> const std::string& { return held->name; }, thing);
 }
 
+TagKind kindOf(const Thing& thing) {
+  constexpr std::array<TagKind, 3> kKinds = {TagKind::kArea, TagKind::kDoor, TagKind::kObject};
+  return kKinds.at(thing.index());
+}
+
+std::uint32_t idOf(const Thing& thing) {
+  return std::visit([](const auto* held) { return static_cast<std::uint32_t>(held->id); }, thing);
+}
+
 Point2 positionOf(const Thing& thing) { return std::visit(Position{}, thing); }
 
 std::vector<std::string> allNamesOf(const Thing& thing) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "agrid/geometry/polygon.h"
+#include "agrid/geometry/pose2.h"
 #include "agrid/geometry/segment.h"
 #include "agrid/tags/tag.h"
 
@@ -46,6 +48,12 @@ struct Door {
   std::vector<std::uint32_t> cells;  ///< cells of the A-Grid that it covers, row-major, sorted
   Properties properties;
 };
+
+/// The pose that a tag would give a door: the middle between its jambs, x leading through it.
+inline Pose2 poseOf(const Door& door) {
+  const Point2 along = door.jambs_map.b - door.jambs_map.a;
+  return {door.jambs_map.midpoint(), std::atan2(-along.x(), along.y())};
+}
 
 /// The label of each pixel of a map. Copies share them, so that copying is cheap; never changed
 /// after it was made.

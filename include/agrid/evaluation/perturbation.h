@@ -25,6 +25,9 @@ OccupancyMap resampled(const OccupancyMap& map, double resolution);
 /// the other free ones made occupied. The same seed makes the same map on every machine.
 OccupancyMap noisy(const OccupancyMap& map, std::uint32_t seed);
 
+/// Whether one of the 8 neighbours of a pixel is on the map and not free: what noise wears first.
+bool touchesObstacle(const OccupancyMap& map, Pixel pixel);
+
 /// Brings labels from one map of a place to the pixels of another: each gets the label of the pixel
 /// that holds its centre, 0 outside.
 /// @param labels  row-major like `from`

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -14,6 +15,8 @@ namespace agrid {
 /// Something on the map that has a name; points into the SemanticMap it was found in.
 using Thing = std::variant<const Area*, const Door*, const ObjectTag*>;
 
+TagKind kindOf(const Thing& thing);
+std::uint32_t idOf(const Thing& thing);
 const std::string& nameOf(const Thing& thing);
 /// Where a thing lies, map frame [m]: an area's anchor, a door's middle, an object's centre.
 Point2 positionOf(const Thing& thing);
