@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "agrid/areas/area_cost.h"
 #include "areas/area_groups.h"
 #include "areas/cell_labels.h"
 #include "areas/label_painter.h"
@@ -145,6 +146,9 @@ LaidTags layTags(const OccupancyMap& map, const AGrid& grid, const AutomaticArea
   AreaMap& area_map = result.area_map;
   area_map.warnings = automatic.area_map.warnings;
   area_map.areas = describe(laid, tags);
+  for (std::string& warning : costWarnings(area_map.areas)) {
+    area_map.warnings.push_back(std::move(warning));
+  }
   area_map.pixel_labels =
       LabelPainter(map.geometry(), automatic, former, area_map.areas).paint(laid, tags);
   result.groups = groupsWithAreas(laid, tags);
