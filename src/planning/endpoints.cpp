@@ -108,11 +108,39 @@ std::optional<std::pair<Endpoint, Endpoint>> connectedPair(const EndpointChoice&
 Target areaTarget(const RadiusLevel& level, std::uint16_t label) {
   Target target;
   target.label = label;
+  const RegionLabels& labels = level.regionLabels();
   for (std::uint32_t region = 0; region < level.roadmap.regions().nodeCount(); ++region) {
-    if (level.labelOf(region) != label) continue;
+    if (labels.labelOf(region) != label || labels.partsOf(region)) continue;
     target.regions.push_back(region);
     target.box = merged(target.box, level.roadmap.regions().boxOf(region));
   }
+  for (const auto& [region, parts] : labels.parts()) {
+    const auto box = parts->boxes.find(label);
+    if (box == parts->boxes.end()) continue;
+    target.parts.push_back({region, parts});
+    target.box = merged(target.box, box->second);
+  }
+  return target;
+}
+
+std::set<std::uint32_t> componentsOf(const Target& target, const PortalGraph& regions) {
+  std::set<std::uint32_t> components;
+  for (const std::uint32_t region : target.regions) components.insert(regions.componentOf(region));
+  for (const TargetPart& part : target.parts) components.insert(regions.componentOf(part.region));
+  return components;
+}
+
+Target reachablePart(Target target, const PortalGraph& regions, std::uint32_t component) {
+  target.regions.erase(std::remove_if(target.regions.begin(), target.regions.end(),
+                                      [&](std::uint32_t region) {
+                                        return regions.componentOf(region) != component;
+                                      }),
+                       target.regions.end());
+  target.parts.erase(std::remove_if(target.parts.begin(), target.parts.end(),
+                                    [&](const TargetPart& part) {
+                                      return regions.componentOf(part.region) != component;
+                                    }),
+                     target.parts.end());
   return target;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,5 +39,9 @@ std::optional<std::pair<Endpoint, Endpoint>> connectedPair(const EndpointChoice&
 /// An area as a target, whatever reaches it.
 /// @param label  1 + index into AreaMap::areas
 Target areaTarget(const RadiusLevel& level, std::uint16_t label);
+/// The components that an area has pixels in.
+std::set<std::uint32_t> componentsOf(const Target& target, const PortalGraph& regions);
+/// What one of them has of it.
+Target reachablePart(Target target, const PortalGraph& regions, std::uint32_t component);
 
 }  // namespace agrid::planning

@@ -24,10 +24,7 @@ LevelCache::LevelCache(const LevelCache& former, PixelLabels labels, const Obsta
       open_(former.open_),
       field_(ObstacleField::closedAs(former.field_, obstacles)) {
   for (const Entry& entry : former.entries()) {
-    auto label_of = entry.level->labelsOfRegions(labels_);
-    if (!label_of) continue;
-    entries_.push_back({std::make_shared<const RadiusLevel>(*entry.level, labels_,
-                                                            std::move(label_of), same_doors),
+    entries_.push_back({std::make_shared<const RadiusLevel>(*entry.level, labels_, same_doors),
                         entry.base, entry.field});
   }
 }

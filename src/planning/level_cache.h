@@ -15,8 +15,7 @@ namespace agrid::planning {
 class LevelCache {
  public:
   LevelCache(const MapGeometry& geometry, PixelLabels labels, const Obstacles& obstacles);
-  /// Takes over the levels of the same map with other areas, as far as their regions fit in, and
-  /// with other closed doors.
+  /// Takes over the levels of the same map with other areas and other closed doors.
   /// @param same_doors  as to their places and to which of them are closed
   LevelCache(const LevelCache& former, PixelLabels labels, const Obstacles& obstacles,
              bool same_doors);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/planner_core.h"
 
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -122,26 +123,21 @@ Task PlannerCore::taskToArea(Task task, const EndpointChoice& starts, AreaId id)
   const std::size_t area = areaIndex(id);
   const std::string& name = map_->area_map.areas[area].name;
   Target target = areaTarget(*task.level, static_cast<std::uint16_t>(area + 1));
-  if (target.regions.empty()) {
+  const PortalGraph& regions = task.level->roadmap.regions();
+  const std::set<std::uint32_t> components = componentsOf(target, regions);
+  if (components.empty()) {
     throw Refusal{PlanStatus::kGoalInvalid,
                   "the robot's centre fits nowhere in the area '" + name + "'"};
   }
-  const PortalGraph& regions = task.level->roadmap.regions();
   for (const Endpoint& place : starts.places) {
-    std::vector<std::uint32_t> reachable;
-    for (const std::uint32_t region : target.regions) {
-      if (regions.componentOf(region) == place.component) reachable.push_back(region);
-    }
-    if (reachable.empty()) continue;
+    if (components.count(place.component) == 0) continue;
     task.start = place;
-    task.target = std::move(target);
-    task.target.regions = std::move(reachable);
+    task.target = reachablePart(std::move(target), regions, place.component);
     return task;
   }
-  std::vector<std::uint32_t> goals;
-  for (const std::uint32_t region : target.regions) goals.push_back(regions.componentOf(region));
-  throw Refusal{PlanStatus::kNoRoute, explainNoRoute(*map_, *task.level, obstacles_,
-                                                     starts.places.front().component, goals)};
+  throw Refusal{PlanStatus::kNoRoute,
+                explainNoRoute(*map_, *task.level, obstacles_, starts.places.front().component,
+                               {components.begin(), components.end()})};
 }
 
 std::size_t PlannerCore::areaIndex(AreaId id) const {

@@ -54,12 +54,11 @@ PortalSearch::Memory& PortalSearch::threadMemory() {
 }
 
 PortalSearch::PortalSearch(const Roadmap& roadmap, Measure measure, const Landmarks& landmarks,
-                           const Target& target, RoadEnd* goal)
+                           RoadGoal& goal)
     : roadmap_(roadmap),
       regions_(roadmap.regions()),
       measure_(measure),
       landmarks_(landmarks),
-      target_(target),
       goal_(goal),
       memory_(threadMemory()),
       last_(kNoState) {
@@ -70,10 +69,10 @@ PortalSearch::PortalSearch(const Roadmap& roadmap, Measure measure, const Landma
 void PortalSearch::findGoalLengths() {
   goal_nearest_.fill(kUnreachable);
   goal_farthest_.fill(-kUnreachable);
-  for (const std::uint32_t region : target_.regions) {
-    std::size_t rank = 0;
+  for (const std::uint32_t region : goal_.regions()) {
     for (const std::uint32_t portal : regions_.portalsOf(region)) {
-      const float leg = goal_ == nullptr ? 0 : goal_->straightLength(measure_, rank++);
+      const auto side = static_cast<std::uint32_t>(regions_.portals()[portal].sideOf(region));
+      const float leg = goal_.straightLeg(measure_, {portal, side});
       const Landmarks::Lengths& lengths = landmarks_.of(portal);
       for (std::size_t k = 0; k < Landmarks::kCount; ++k) {
         goal_nearest_[k] = std::min(goal_nearest_[k], lengths.to[k] - lengths.slack + leg);
@@ -86,7 +85,7 @@ void PortalSearch::findGoalLengths() {
 /// No way from a portal to the goal is shorter: by the triangle inequality, with each landmark.
 float PortalSearch::restOf(std::uint32_t portal) const {
   const Portal& place = regions_.portals()[portal];
-  auto rest = static_cast<float>(target_.distanceFrom(place.crossing()) - place.reach);
+  auto rest = static_cast<float>(goal_.target().distanceFrom(place.crossing()) - place.reach);
   const Landmarks::Lengths& lengths = landmarks_.of(portal);
   for (std::size_t k = 0; k < Landmarks::kCount; ++k) {
     rest = std::max({rest, goal_nearest_[k] - lengths.to[k] - lengths.slack,
@@ -95,14 +94,10 @@ float PortalSearch::restOf(std::uint32_t portal) const {
   return rest;
 }
 
-bool PortalSearch::endsIn(std::uint32_t region) const {
-  if (goal_ != nullptr) return region == goal_->region();
-  return std::binary_search(target_.regions.begin(), target_.regions.end(), region);
-}
-
 float PortalSearch::find(RoadEnd& start, float limit, const StopCheck& stop) {
   best_ = limit;
   last_ = kNoState;
+  end_ = nullptr;
   memory_.begin(2 * regions_.portals().size());
   begin(start);
   auto& open = memory_.open;
@@ -159,15 +154,16 @@ void PortalSearch::takeFirstLeg(RoadEnd& start, std::uint32_t state, std::uint32
 
 void PortalSearch::takeLastLeg(std::uint32_t state, std::uint32_t kind) {
   const float cost = memory_.states[state].cost;
-  const std::size_t rank = roadmap_.rankOf(state / 2, state % 2);
-  if (goal_ != nullptr && kind == kStraightLastLeg) {
-    push(cost + goal_->hopedLength(measure_, rank), state, kHopedLastLeg);
+  const Crossing crossing{state / 2, state % 2};
+  if (kind == kStraightLastLeg) {
+    push(cost + goal_.hopedLeg(measure_, crossing), state, kHopedLastLeg);
     return;
   }
-  const float length = cost + (goal_ == nullptr ? 0 : goal_->length(measure_, rank));
-  if (!(length < best_)) return;
-  best_ = length;
+  const RoadGoal::Leg leg = goal_.leg(measure_, crossing);
+  if (!(cost + leg.length < best_)) return;
+  best_ = cost + leg.length;
   last_ = state;
+  end_ = leg.end;
 }
 
 void PortalSearch::reach(std::uint32_t state, std::uint32_t parent, float cost) {
@@ -186,10 +182,8 @@ void PortalSearch::expand(std::uint32_t state) {
   const std::uint32_t portal = state / 2;
   const std::size_t side = state % 2;
   const std::uint32_t region = regions_.portals()[portal].nodes[side];
-  if (endsIn(region)) {
-    const std::size_t rank = roadmap_.rankOf(portal, side);
-    const float leg = goal_ == nullptr ? 0 : goal_->straightLength(measure_, rank);
-    push(cost + leg, state, kStraightLastLeg);
+  if (goal_.endsIn(region)) {
+    push(cost + goal_.straightLeg(measure_, {portal, state % 2}), state, kStraightLastLeg);
   }
   roadmap_.forEachOnwards(measure_, portal, side, [&](std::uint32_t other, float length) {
     const std::size_t beyond = 1 - regions_.portals()[other].sideOf(region);

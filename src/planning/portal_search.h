@@ -8,25 +8,17 @@
 
 #include "planning/landmarks.h"
 #include "planning/road_end.h"
+#include "planning/road_goal.h"
 #include "planning/roadmap.h"
 #include "planning/stop.h"
-#include "planning/target.h"
 
 namespace agrid::planning {
-
-/// A portal crossed into the region on one of its sides (as in Portal::nodes).
-struct Crossing {
-  std::uint32_t portal = 0;
-  std::uint32_t side = 0;
-};
 
 /// A* over the portals of a roadmap.
 class PortalSearch {
  public:
   /// @param landmarks  for the measure
-  /// @param goal  the end of the roads where the target is a point, else null
-  PortalSearch(const Roadmap& roadmap, Measure measure, const Landmarks& landmarks,
-               const Target& target, RoadEnd* goal);
+  PortalSearch(const Roadmap& roadmap, Measure measure, const Landmarks& landmarks, RoadGoal& goal);
 
   /// @param limit  ways that are not shorter are not looked for [px]
   /// @return length of the shortest way, the limit if there is none [px]
@@ -35,6 +27,8 @@ class PortalSearch {
 
   /// The crossings of the way found last; none if there is none.
   std::vector<Crossing> way() const;
+  /// Where it ends; nullptr: as soon as the last region is entered.
+  RoadGoal::End* end() const { return end_; }
 
  private:
   struct State;
@@ -43,7 +37,6 @@ class PortalSearch {
 
   void findGoalLengths();
   float restOf(std::uint32_t portal) const;
-  bool endsIn(std::uint32_t region) const;
   void push(float estimate, std::uint32_t state, std::uint32_t kind);
   void begin(RoadEnd& start);
   void takeFirstLeg(RoadEnd& start, std::uint32_t state, std::uint32_t kind);
@@ -55,14 +48,14 @@ class PortalSearch {
   const PortalGraph& regions_;
   Measure measure_;
   const Landmarks& landmarks_;
-  const Target& target_;
-  RoadEnd* goal_;
+  RoadGoal& goal_;
   std::array<float, Landmarks::kCount>
       goal_nearest_;  ///< least sum of a portal's length and the leg to the goal
   std::array<float, Landmarks::kCount> goal_farthest_;  ///< greatest difference
   Memory& memory_;
   float best_ = kUnreachable;
   std::uint32_t last_;
+  RoadGoal::End* end_ = nullptr;
 };
 
 }  // namespace agrid::planning

@@ -2,44 +2,30 @@
 #include "planning/radius_level.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace agrid::planning {
 namespace {
 
-std::vector<std::uint16_t> labelsOf(const PortalGraph& regions, const PixelLabels& labels) {
-  std::vector<std::uint16_t> label_of(regions.nodeCount());
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (regions.nodeAt(i) != kNoNode) label_of[regions.nodeAt(i)] = labels[i];
-  }
-  return label_of;
-}
-
-/// Calls `visit(pixel)` for the pixels at which labels differ.
-template <typename Visit>
-void forEachDifference(std::size_t width, const PixelLabels& a, const PixelLabels& b,
-                       const Visit& visit) {
-  const std::uint16_t* row_a = a.data();
-  const std::uint16_t* row_b = b.data();
-  for (std::size_t first = 0; first < a.size(); first += width) {
-    if (std::equal(row_a + first, row_a + first + width, row_b + first)) continue;
-    for (std::size_t i = first; i < first + width; ++i) {
-      if (row_a[i] != row_b[i]) visit(i);
+/// Regions that have other pixels than before: they or what they were made of have pixels there.
+std::set<std::uint32_t> changedRegions(const Roadmap& former, const Roadmap& now,
+                                       const MapGeometry& geometry,
+                                       const std::vector<PixelBox>& boxes) {
+  std::set<std::uint32_t> changed;
+  for (const auto& renewed : now.renewedRegions()) changed.insert(renewed.first);
+  for (const PixelBox& any : boxes) {
+    const PixelBox box = clippedTo(geometry, any);
+    for (int y = box.low.y; y <= box.high.y; ++y) {
+      for (int x = box.low.x; x <= box.high.x; ++x) {
+        const std::size_t i = geometry.index({x, y});
+        for (const Roadmap* roadmap : {&former, &now}) {
+          if (roadmap->regions().nodeAt(i) != kNoNode) changed.insert(roadmap->regions().nodeAt(i));
+        }
+      }
     }
   }
-}
-
-/// Whether all pixels of a region have the same label.
-bool hasOneLabel(const MapGeometry& geometry, const PortalGraph& regions, std::uint32_t region,
-                 const PixelLabels& labels, std::uint16_t label) {
-  const PixelBox& box = regions.boxOf(region);
-  for (int y = box.low.y; y <= box.high.y; ++y) {
-    for (int x = box.low.x; x <= box.high.x; ++x) {
-      const std::size_t i = geometry.index({x, y});
-      if (regions.nodeAt(i) == region && labels[i] != label) return false;
-    }
-  }
-  return true;
+  return changed;
 }
 
 /// All pixels that are free or not because of doors, by this radius or a smaller one.
@@ -86,8 +72,8 @@ RadiusLevel::RadiusLevel(std::shared_ptr<const RadiusRoads> prepared_roads, Pixe
       roadmap(prepared->roadmap),
       path_landmarks(prepared->path_landmarks),
       least_landmarks(prepared->least_landmarks),
-      label_of_(
-          std::make_shared<const std::vector<std::uint16_t>>(labelsOf(roadmap.regions(), labels))),
+      region_labels_(
+          std::make_shared<const RegionLabels>(free.geometry(), roadmap.regions(), labels)),
       barriers_(std::make_shared<const Barriers>()),
       pieces_(std::make_shared<const AreaPieces>(std::move(labels))) {}
 
@@ -98,49 +84,27 @@ RadiusLevel::RadiusLevel(const RadiusLevel& former,
       roadmap(prepared->roadmap),
       path_landmarks(prepared->path_landmarks),
       least_landmarks(prepared->least_landmarks),
+      region_labels_(std::make_shared<const RegionLabels>(
+          *former.region_labels_, roadmap.regions(),
+          changedRegions(
+              former.roadmap, roadmap, free.geometry(),
+              aroundDoors(prepared->field->changedBoxes(*former.prepared->field), free)))),
       barriers_(std::make_shared<const Barriers>()),
-      pieces_(std::make_shared<const AreaPieces>(former.labels())) {
-  auto label_of = std::make_shared<std::vector<std::uint16_t>>(*former.label_of_);
-  label_of->resize(roadmap.regions().nodeCount());
-  for (const auto& [region, pixel] : roadmap.renewedRegions()) {
-    (*label_of)[region] = pixel ? labels()[free.geometry().index(*pixel)] : std::uint16_t{0};
-  }
-  label_of_ = std::move(label_of);
-}
+      pieces_(std::make_shared<const AreaPieces>(former.labels())) {}
 
-RadiusLevel::RadiusLevel(const RadiusLevel& former, PixelLabels labels,
-                         std::shared_ptr<const std::vector<std::uint16_t>> label_of,
-                         bool same_doors)
+RadiusLevel::RadiusLevel(const RadiusLevel& former, PixelLabels labels, bool same_doors)
     : prepared(former.prepared),
       free(prepared->free),
       roadmap(prepared->roadmap),
       path_landmarks(prepared->path_landmarks),
       least_landmarks(prepared->least_landmarks),
-      label_of_(std::move(label_of)),
+      region_labels_(former.labels().shares(labels)
+                         ? former.region_labels_
+                         : std::make_shared<const RegionLabels>(*former.region_labels_,
+                                                                roadmap.regions(), labels)),
       barriers_(same_doors ? former.barriers_ : std::make_shared<const Barriers>()),
       pieces_(former.labels().shares(labels)
                   ? former.pieces_
                   : std::make_shared<const AreaPieces>(std::move(labels))) {}
-
-std::shared_ptr<const std::vector<std::uint16_t>> RadiusLevel::labelsOfRegions(
-    const PixelLabels& labels) const {
-  if (labels.shares(this->labels())) return label_of_;
-  const PortalGraph& regions = roadmap.regions();
-  auto label_of = std::make_shared<std::vector<std::uint16_t>>(*label_of_);
-  std::vector<std::uint32_t> changed;
-  const auto width = static_cast<std::size_t>(free.geometry().width);
-  forEachDifference(width, this->labels(), labels, [&](std::size_t i) {
-    const std::uint32_t region = regions.nodeAt(i);
-    if (region == kNoNode || (!changed.empty() && changed.back() == region)) return;
-    changed.push_back(region);
-    (*label_of)[region] = labels[i];
-  });
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-  for (const std::uint32_t region : changed) {
-    if (!hasOneLabel(free.geometry(), regions, region, labels, (*label_of)[region])) return nullptr;
-  }
-  return label_of;
-}
 
 }  // namespace agrid::planning

@@ -13,6 +13,7 @@
 #include "planning/landmarks.h"
 #include "planning/obstacle_field.h"
 #include "planning/portal_graph.h"
+#include "planning/region_labels.h"
 #include "planning/roadmap.h"
 
 namespace agrid::planning {
@@ -60,10 +61,8 @@ class RadiusLevel {
   /// @param former  of whose roads `prepared` was made
   RadiusLevel(const RadiusLevel& former, std::shared_ptr<const RadiusRoads> prepared);
   /// The same roads for a map with other areas or doors.
-  /// @param labels  each region has one, see labelsOfRegions
   /// @param same_doors  as to their places and to which of them are closed
-  RadiusLevel(const RadiusLevel& former, PixelLabels labels,
-              std::shared_ptr<const std::vector<std::uint16_t>> label_of, bool same_doors);
+  RadiusLevel(const RadiusLevel& former, PixelLabels labels, bool same_doors);
 
   const std::shared_ptr<const RadiusRoads> prepared;
   const FreeSpace& free;
@@ -71,12 +70,8 @@ class RadiusLevel {
   const Landmarks& path_landmarks;
   const Landmarks& least_landmarks;
 
-  /// Label of the area that a region is a piece of.
-  std::uint16_t labelOf(std::uint32_t region) const { return (*label_of_)[region]; }
+  const RegionLabels& regionLabels() const { return *region_labels_; }
   const PixelLabels& labels() const { return pieces_->labels(); }
-  /// The labels of all regions for another division into areas; none if a region has several.
-  std::shared_ptr<const std::vector<std::uint16_t>> labelsOfRegions(
-      const PixelLabels& labels) const;
 
   /// What keeps its components apart.
   const Barriers& barriers() const { return *barriers_; }
@@ -85,7 +80,7 @@ class RadiusLevel {
   const PortalGraph& areas(const StopCheck& stop) const { return pieces_->graph(free, stop); }
 
  private:
-  std::shared_ptr<const std::vector<std::uint16_t>> label_of_;
+  std::shared_ptr<const RegionLabels> region_labels_;
   std::shared_ptr<const Barriers> barriers_;
   std::shared_ptr<const AreaPieces> pieces_;
 };

@@ -16,8 +16,8 @@ std::size_t rankEntering(const Roadmap& roadmap, const Crossing& crossing) {
 
 }  // namespace
 
-RoadBuilder::RoadBuilder(const FreeSpace& free, const Roadmap& roadmap, RoadEnd& start)
-    : free_(free), roadmap_(roadmap), start_(start) {
+RoadBuilder::RoadBuilder(const Roadmap& roadmap, RoadEnd& start)
+    : roadmap_(roadmap), start_(start) {
   road_.regions.push_back(start.region());
   push(start.point(), 0, 0);
 }
@@ -47,22 +47,9 @@ void RoadBuilder::goTo(RoadEnd& goal, const Crossing& last) {
   push(goal.point(), 0, 0);
 }
 
-void RoadBuilder::goInto(const Crossing& last) {
-  const PortalGraph& regions = roadmap_.regions();
-  const Portal& portal = regions.portals()[last.portal];
-  const FinePoint crossing = road_.corners.back().at;
+void RoadBuilder::goInto(const RoadGoal& goal, const Portal& border, Pixel first) {
   const FinePoint from = road_.corners[road_.corners.size() - 2].at;
-  FinePoint nearest = centerOf(last.side == 0 ? portal.middle : portal.beyond);
-  for (int y = portal.box.low.y; y <= portal.box.high.y; ++y) {
-    for (int x = portal.box.low.x; x <= portal.box.high.x; ++x) {
-      if (regions.nodeAt(free_.geometry().index({x, y})) != portal.nodes[last.side]) continue;
-      const FinePoint inside = centerOf({x, y});
-      if (distancePx(inside, from) < distancePx(nearest, from) && free_.canSee(crossing, inside)) {
-        nearest = inside;
-      }
-    }
-  }
-  push(nearest, 0, 0);
+  push(goal.placeBeside(border, first, from), 0, 0);
 }
 
 void RoadBuilder::goAround(const std::vector<Node>& nodes, FinePoint goal) {

@@ -6,20 +6,21 @@
 #include "planning/portal_search.h"
 #include "planning/road.h"
 #include "planning/road_end.h"
+#include "planning/road_goal.h"
 
 namespace agrid::planning {
 
 /// Puts a road together from what the roadmap stores.
 class RoadBuilder {
  public:
-  RoadBuilder(const FreeSpace& free, const Roadmap& roadmap, RoadEnd& start);
+  RoadBuilder(const Roadmap& roadmap, RoadEnd& start);
 
   /// Goes through the portals of a way to the middle of the last one.
   void goThrough(const std::vector<Crossing>& way);
   /// From the last portal to a goal in the region that the way enters.
   void goTo(RoadEnd& goal, const Crossing& last);
-  /// From the last portal to a near place in the region that the way enters.
-  void goInto(const Crossing& last);
+  /// From the middle of a border to a near place in the goal's area, of which `first` is one.
+  void goInto(const RoadGoal& goal, const Portal& border, Pixel first);
   /// Around turning points of the start's region to a point.
   void goAround(const std::vector<RegionRoads::Node>& nodes, FinePoint goal);
 
@@ -30,7 +31,6 @@ class RoadBuilder {
   void add(const RegionRoads& roads, RegionRoads::Node node);
   void push(FinePoint at, std::int8_t blocked_x, std::int8_t blocked_y);
 
-  const FreeSpace& free_;
   const Roadmap& roadmap_;
   RoadEnd& start_;
   Road road_;

@@ -4,9 +4,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "planning/local_road.h"
 #include "planning/radius_level.h"
 #include "planning/road.h"
+#include "planning/road_builder.h"
 #include "planning/road_end.h"
+#include "planning/road_goal.h"
 #include "planning/target.h"
 
 namespace agrid::planning {
@@ -28,10 +31,17 @@ class RoadSearch {
   Road find(const RoadQuery& query, const StopCheck& stop) const;
 
  private:
-  Road toArea(RoadEnd& start, const Target& target, const StopCheck& stop) const;
-  double lengthBound(RoadEnd& start, const Target& target, RoadEnd* goal, float found,
+  /// A way within one region, or none.
+  struct LocalWay {
+    LocalRoad road;
+    RoadGoal::End* end = nullptr;
+    float least = kUnreachable;  ///< no way in this region is shorter [px]
+  };
+  LocalWay findLocalWay(RoadEnd& start, RoadGoal& goal) const;
+  void goInto(const RoadGoal& goal, const RoadGoal::End* end, const std::vector<Crossing>& way,
+              RoadBuilder& builder) const;
+  double lengthBound(RoadEnd& start, RoadGoal& goal, float proof_enough,
                      const StopCheck& stop) const;
-  Road toPoint(RoadEnd& start, const Target& target, const StopCheck& stop) const;
 
   const RadiusLevel& level_;
 };

@@ -105,20 +105,20 @@ std::optional<Question> randomQuestion(std::mt19937& random, const RoadSample& s
     question.target.box.add(q);
     return question;
   }
-  question.target.label = s.level->labelOf(region);
+  question.target.label = s.level->regionLabels().labelOf(region);
   for (std::uint32_t i = 0; i < s.regions().nodeCount(); ++i) {
     const bool is_reached =
         s.regions().componentOf(i) == s.regions().componentOf(question.start->region());
-    if (is_reached && s.level->labelOf(i) == question.target.label) {
+    if (is_reached && s.level->regionLabels().labelOf(i) == question.target.label) {
       question.target.regions.push_back(i);
     }
   }
   for (const Pixel pixel : pixels) {
-    if (s.level->labelOf(s.regionAt(pixel)) == question.target.label) {
+    if (s.level->regionLabels().labelOf(s.regionAt(pixel)) == question.target.label) {
       question.target.box.add(pixel);
     }
   }
-  if (s.level->labelOf(s.regionAt(p)) == question.target.label) return std::nullopt;
+  if (s.level->regionLabels().labelOf(s.regionAt(p)) == question.target.label) return std::nullopt;
   return question;
 }
 
@@ -166,8 +166,8 @@ TEST(PortalSearch, FindsTheShortestWayOfAll) {
       const float expected = shortest(s, measure, *question);
       // Ends that have been looked from before must not matter.
       RoadEnd fresh(s.free(), s.roadmap(), question->start->point(), question->start->region());
-      PortalSearch search(s.roadmap(), measure, landmarksOf(s, measure), question->target,
-                          question->goal.get());
+      RoadGoal goal(*s.level, question->target);
+      PortalSearch search(s.roadmap(), measure, landmarksOf(s, measure), goal);
       const float length = search.find(fresh, kUnreachable, {});
       ASSERT_EQ(length == kUnreachable, expected == kUnreachable);
       ASSERT_EQ(search.way().empty(), expected == kUnreachable);

@@ -51,7 +51,7 @@ TEST(Roadmap, RegionsArePiecesOfOneAreaAndKnowTheirPortalsByRank) {
   for (int trial = 0; trial < 200; ++trial) {
     const RoadSample s = test::randomRoadSample(random);
     for (const Pixel p : s.freePixels()) {
-      ASSERT_EQ(s.level->labelOf(s.regionAt(p)),
+      ASSERT_EQ(s.level->regionLabels().labelOf(s.regionAt(p)),
                 s.map->area_map.pixel_labels[s.geometry().index(p)]);
     }
     for (std::uint32_t region = 0; region < s.regions().nodeCount(); ++region) {
