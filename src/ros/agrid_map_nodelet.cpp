@@ -29,7 +29,7 @@ void AGridNodelet::onInit() {
   settings_ = std::make_unique<Settings>(private_nh.getNamespace(), log_);
   const std::string error = settings_->reload();
   listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, nh);
-  outputs_ = std::make_unique<Outputs>(private_nh);
+  outputs_ = std::make_unique<Outputs>(private_nh, log_);
   const auto warn = [this](const std::string& warning) { log_.warn("map", warning); };
   keeper_ = std::make_unique<PlaceKeeper>(PlaceKeeper::Listeners{
       [this](const SnapshotPtr& snapshot) { outputs_->offer(snapshot); },
@@ -51,7 +51,8 @@ void AGridNodelet::onInit() {
       private_nh, Services::Deps{*settings_, *keeper_, *builder_, *hearing_, *outputs_, log_,
                                  transforms_, cancelled_});
   area_watch_ = std::make_unique<AreaWatch>(
-      private_nh, AreaWatch::Deps{*keeper_, transforms_, cancelled_}, parameters.node.area_period);
+      private_nh, AreaWatch::Deps{*keeper_, transforms_, cancelled_, log_},
+      parameters.node.area_period);
   diagnostics_ = std::make_unique<Diagnostics>(
       private_nh, Diagnostics::Deps{*settings_, *keeper_, *builder_, log_});
   intake_ = std::make_unique<MapIntake>(nh, MapIntake::Deps{*settings_, *builder_, log_});

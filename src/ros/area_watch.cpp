@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/area_watch.h"
 
+#include "ros/boundary.h"
 #include "ros/frames.h"
 #include "ros/request_error.h"
 
@@ -20,7 +21,9 @@ AreaWatch::AreaWatch(ros::NodeHandle& private_nh, const Deps& deps, double perio
     : deps_(deps),
       publisher_(private_nh.advertise<agrid_map::Area>("current_area", 1, true)),
       timer_(private_nh.createSteadyTimer(ros::WallDuration(period_seconds),
-                                          [this](const ros::SteadyTimerEvent&) { look(); })) {}
+                                          [this](const ros::SteadyTimerEvent&) {
+                                            attempt(deps_.log, "current_area", [this] { look(); });
+                                          })) {}
 
 void AreaWatch::look() {
   const SnapshotPtr snapshot = deps_.keeper.snapshot();

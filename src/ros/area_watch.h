@@ -13,6 +13,7 @@
 
 #include <agrid_map/Area.h>
 
+#include "ros/event_log.h"
 #include "ros/place_keeper.h"
 
 namespace agrid_map_ros {
@@ -21,11 +22,12 @@ namespace agrid_map_ros {
 /// is new, if TF knows where the robot is. Outside every area: an Area with id 0.
 class AreaWatch {
  public:
-  /// @param keeper, transforms, cancelled  must outlive this
+  /// All must outlive this.
   struct Deps {
     const PlaceKeeper& keeper;
     const tf2::BufferCore& transforms;
     const std::atomic<bool>& cancelled;
+    EventLog& log;
   };
   AreaWatch(ros::NodeHandle& private_nh, const Deps& deps, double period_seconds);
 

@@ -5,6 +5,7 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
+#include "ros/boundary.h"
 #include "ros/text.h"
 
 namespace agrid_map_ros {
@@ -69,6 +70,7 @@ DiagnosticStatus diagnose(const Findings& findings, const EventLog& log) {
   }
   if (findings.snapshot) describe(status, *findings.snapshot);
   add(status, "errors", std::to_string(log.errorCount()));
+  add(status, "unexpected exceptions", std::to_string(log.caughtCount()));
   add(status, "last error", log.lastError());
   return status;
 }
@@ -77,8 +79,10 @@ Diagnostics::Diagnostics(ros::NodeHandle& private_nh, const Deps& deps)
     : deps_(deps),
       node_name_(private_nh.getNamespace().substr(1)),
       publisher_(private_nh.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
-      timer_(private_nh.createSteadyTimer(ros::WallDuration(1),
-                                          [this](const ros::SteadyTimerEvent&) { publish(); })) {}
+      timer_(
+          private_nh.createSteadyTimer(ros::WallDuration(1), [this](const ros::SteadyTimerEvent&) {
+            attempt(deps_.log, "diagnostics", [this] { publish(); });
+          })) {}
 
 void Diagnostics::publish() {
   diagnostic_msgs::DiagnosticArray array;

@@ -31,7 +31,7 @@ class Diagnostics {
     const Settings& settings;
     const PlaceKeeper& keeper;
     const MapBuilder& builder;
-    const EventLog& log;
+    EventLog& log;
   };
   Diagnostics(ros::NodeHandle& private_nh, const Deps& deps);
 

@@ -29,6 +29,14 @@ void EventLog::error(const std::string& kind, const std::string& text) {
   if (due(kind)) ROS_ERROR_STREAM(last_error_);
 }
 
+void EventLog::caught(const std::string& kind, const std::string& what) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++caught_count_;
+  }
+  error(kind, "unexpected exception: " + what);
+}
+
 std::string EventLog::lastError() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return last_error_;
@@ -37,6 +45,11 @@ std::string EventLog::lastError() const {
 std::uint64_t EventLog::errorCount() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return error_count_;
+}
+
+std::uint64_t EventLog::caughtCount() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return caught_count_;
 }
 
 bool EventLog::due(const std::string& kind) {

@@ -16,9 +16,12 @@ class EventLog {
   /// @param kind  short and fixed, e.g. "map"
   void warn(const std::string& kind, const std::string& text);
   void error(const std::string& kind, const std::string& text);
+  /// An error that came as an exception which nobody had reason to expect.
+  void caught(const std::string& kind, const std::string& what);
 
-  std::string lastError() const;     ///< empty: none yet
-  std::uint64_t errorCount() const;  ///< also those that were not written
+  std::string lastError() const;      ///< empty: none yet
+  std::uint64_t errorCount() const;   ///< also those that were not written
+  std::uint64_t caughtCount() const;  ///< of them, unexpected exceptions
 
  private:
   bool due(const std::string& kind);
@@ -27,6 +30,7 @@ class EventLog {
   std::map<std::string, std::chrono::steady_clock::time_point> written_;
   std::string last_error_;
   std::uint64_t error_count_ = 0;
+  std::uint64_t caught_count_ = 0;
 };
 
 }  // namespace agrid_map_ros

@@ -8,6 +8,7 @@
 
 #include "agrid/dialogue/replies.h"
 #include "agrid_map_ros/conversions.h"
+#include "ros/boundary.h"
 #include "ros/edit_answers.h"
 #include "ros/request_error.h"
 #include "ros/text.h"
@@ -73,33 +74,33 @@ Hearing::Hearing(ros::NodeHandle& nh, ros::NodeHandle& private_nh, const Deps& d
       say_(private_nh.subscribe("say", 10, &Hearing::onSentence, this)) {}
 
 void Hearing::onTag(const agrid_map::Tag& tag) {
-  try {
-    add(tag);
-  } catch (...) {
-    deps_.log.warn("tag", "the tag '" + printable(tag.name.substr(0, 256)) +
-                              "' is refused: " + statusOfException().message);
-  }
+  const auto failure = attempt(deps_.log, "tag", [&] { add(tag); });
+  if (!failure) return;
+  deps_.log.warn("tag", "the tag '" + printable(tag.name.substr(0, 256)) +
+                            "' is refused: " + failure->message);
 }
 
 void Hearing::onClick(const geometry_msgs::PointStamped& point) {
-  try {
+  const auto failure = attempt(deps_.log, "tag", [&] {
     const SnapshotPtr snapshot = deps_.keeper.snapshot();
     if (!snapshot || snapshot->parameters->hearing.click_tag.empty()) return;
     add(clickedTag(snapshot->parameters->hearing.click_tag, point));
-  } catch (...) {
-    deps_.log.warn("tag", "the clicked point is refused: " + statusOfException().message);
-  }
+  });
+  if (failure) deps_.log.warn("tag", "the clicked point is refused: " + failure->message);
 }
 
 void Hearing::onSentence(const std_msgs::String& sentence) {
-  std_msgs::String answer;
-  try {
-    answer.data = answerTo(sentence.data.substr(0, kLongestSentence));
-  } catch (...) {
-    answer.data = agrid::dialogue::refusal(grammar_, statusOfException().message);
-    deps_.log.warn("say", answer.data);
-  }
-  said_.publish(answer);
+  attempt(deps_.log, "say", [&] {
+    std_msgs::String answer;
+    const auto failure = attempt(deps_.log, "say", [&] {
+      answer.data = answerTo(sentence.data.substr(0, kLongestSentence));
+    });
+    if (failure) {
+      answer.data = agrid::dialogue::refusal(grammar_, failure->message);
+      deps_.log.warn("say", answer.data);
+    }
+    said_.publish(answer);
+  });
 }
 
 std::string Hearing::answerTo(const std::string& sentence) {

@@ -4,6 +4,8 @@
 #include <boost/make_shared.hpp>
 #include <nav_msgs/GetMap.h>
 
+#include "ros/boundary.h"
+
 namespace agrid_map_ros {
 
 MapIntake::MapIntake(ros::NodeHandle& nh, const Deps& deps) : deps_(deps) {
@@ -14,8 +16,10 @@ MapIntake::MapIntake(ros::NodeHandle& nh, const Deps& deps) : deps_(deps) {
   const auto parameters = deps_.settings.parameters();
   const double wait = (parameters ? *parameters : Parameters{}).node.static_map_wait;
   if (wait > 0) {
-    static_map_timer_ = nh.createSteadyTimer(
-        ros::WallDuration(wait), [this](const ros::SteadyTimerEvent&) { askStaticMap(); });
+    static_map_timer_ =
+        nh.createSteadyTimer(ros::WallDuration(wait), [this](const ros::SteadyTimerEvent&) {
+          attempt(deps_.log, "static_map", [this] { askStaticMap(); });
+        });
   }
 }
 
@@ -27,8 +31,14 @@ MapIntake::~MapIntake() {
 }
 
 void MapIntake::onMap(const nav_msgs::OccupancyGridConstPtr& map) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  take(map, "map");
+  attempt(deps_.log, "map", [&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    take(map, "map");
+    warnOfPublishers();
+  });
+}
+
+void MapIntake::warnOfPublishers() {
   if (map_subscriber_.getNumPublishers() > 1 && !warned_of_publishers_) {
     warned_of_publishers_ = true;
     deps_.log.warn("map", std::to_string(map_subscriber_.getNumPublishers()) +
@@ -48,11 +58,17 @@ void MapIntake::take(const nav_msgs::OccupancyGridConstPtr& map, const std::stri
 }
 
 void MapIntake::onUpdate(const map_msgs::OccupancyGridUpdateConstPtr& update) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  attempt(deps_.log, "map_updates", [&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    patch(*update);
+  });
+}
+
+void MapIntake::patch(const map_msgs::OccupancyGridUpdate& update) {
   if (!latest_) return deps_.log.error("map_updates", "no map has arrived that could be patched");
   try {
-    latest_ = boost::make_shared<const nav_msgs::OccupancyGrid>(patched(*latest_, *update));
-  } catch (const std::exception& error) {
+    latest_ = boost::make_shared<const nav_msgs::OccupancyGrid>(patched(*latest_, update));
+  } catch (const agrid::MapError& error) {
     return deps_.log.error("map_updates", error.what());
   }
   deps_.builder.offer(latest_);

@@ -38,8 +38,11 @@ class MapIntake {
   void askStaticMap();
   /// Once, so that a map on another topic, or no map at all, can be found out.
   void warnOfNoMap();
-  /// Hands a map on if its header and size are fine; the caller holds the lock.
+  // for callers that hold the lock
+  void warnOfPublishers();
+  /// Hands a map on if its header and size are fine.
   void take(const nav_msgs::OccupancyGridConstPtr& map, const std::string& source);
+  void patch(const map_msgs::OccupancyGridUpdate& update);
 
   Deps deps_;
   std::mutex mutex_;

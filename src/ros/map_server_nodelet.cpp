@@ -8,6 +8,7 @@
 
 #include "agrid_map_ros/conversions.h"
 #include "agrid_map_ros/map_server.h"
+#include "ros/boundary.h"
 #include "ros/text.h"
 
 namespace agrid_map_ros {
@@ -78,8 +79,8 @@ std::uint8_t MapServerNodelet::load(const std::string& url, bool only_first) {
   } catch (const agrid::FileError& error) {
     log_.error("map", error.what());
     return loadMapResult(error.code());
-  } catch (const std::exception& error) {
-    log_.error("map", "the map cannot be loaded: " + printable(error.what()));
+  } catch (...) {
+    log_.error("map", "the map cannot be loaded: " + caught(log_, "map").message);
     return Results::RESULT_UNDEFINED_FAILURE;
   }
 }

@@ -2,11 +2,13 @@
 #include "ros/outputs.h"
 
 #include "agrid_map_ros/markers.h"
+#include "ros/boundary.h"
 
 namespace agrid_map_ros {
 
-Outputs::Outputs(ros::NodeHandle& private_nh)
-    : agrid_(private_nh.advertise<agrid_map::AGrid>("agrid", 1, true)),
+Outputs::Outputs(ros::NodeHandle& private_nh, EventLog& log)
+    : log_(log),
+      agrid_(private_nh.advertise<agrid_map::AGrid>("agrid", 1, true)),
       graph_(private_nh.advertise<agrid_map::TopologicalGraph>("graph", 1, true)),
       markers_(private_nh.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
       areas_(private_nh.advertise<nav_msgs::OccupancyGrid>("areas", 1, true)),
@@ -39,7 +41,7 @@ void Outputs::run() {
       if (stopping_) return;
       snapshot.swap(newest_);
     }
-    publish(*snapshot);
+    attempt(log_, "outputs", [&] { publish(*snapshot); });
   }
 }
 

@@ -9,6 +9,7 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
+#include "ros/event_log.h"
 #include "ros/snapshot.h"
 
 namespace agrid_map_ros {
@@ -16,7 +17,8 @@ namespace agrid_map_ros {
 /// The latched topics ~agrid, ~graph, ~markers, ~areas and ~plan. Safe to use from several threads.
 class Outputs {
  public:
-  explicit Outputs(ros::NodeHandle& private_nh);
+  /// @param log  must outlive this
+  Outputs(ros::NodeHandle& private_nh, EventLog& log);
   ~Outputs();
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
@@ -29,6 +31,7 @@ class Outputs {
   void run();
   void publish(const Snapshot& snapshot);
 
+  EventLog& log_;
   ros::Publisher agrid_;
   ros::Publisher graph_;
   ros::Publisher markers_;

@@ -3,6 +3,10 @@
 
 #include <new>
 
+#include <XmlRpcException.h>
+#include <boost/exception/diagnostic_information.hpp>
+
+#include "agrid/map/map_io.h"
 #include "agrid/pipeline/edit.h"
 #include "agrid/semantic_map/thing_lookup.h"
 #include "agrid/storage.h"
@@ -55,11 +59,30 @@ Status statusOfException() {
     return statusOf(codeOf(error.code()), printable(error.what()));
   } catch (const std::bad_alloc&) {
     return statusOf(Status::LIMIT_REACHED, "out of memory");
+  } catch (const XmlRpc::XmlRpcException& error) {  // no std::exception
+    return statusOf(Status::INVALID_REQUEST, printable(error.getMessage()));
   } catch (const std::exception& error) {
     return statusOf(Status::INVALID_REQUEST, printable(error.what()));
   } catch (...) {
-    return statusOf(Status::INVALID_REQUEST, "unknown exception");
+    return statusOf(Status::INVALID_REQUEST,
+                    printable(boost::current_exception_diagnostic_information()));
   }
+}
+
+bool isRefusal() {
+  try {
+    throw;
+  } catch (const RequestError&) {
+  } catch (const agrid::LookupError&) {
+  } catch (const agrid::EditError&) {
+  } catch (const agrid::StorageError&) {
+  } catch (const agrid::MapError&) {
+  } catch (const agrid::FileError&) {
+  } catch (const std::invalid_argument&) {  // what the core says of a request's values
+  } catch (...) {
+    return false;
+  }
+  return true;
 }
 
 }  // namespace agrid_map_ros

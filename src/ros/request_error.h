@@ -23,5 +23,8 @@ class RequestError : public std::runtime_error {
 
 /// What the exception that is being handled means to the client: every one ends here.
 agrid_map::Status statusOfException();
+/// Whether that exception refuses a request, a map or a file; any other is a mistake of ours or of
+/// a library.
+bool isRefusal();
 
 }  // namespace agrid_map_ros

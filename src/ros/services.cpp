@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "ros/boundary.h"
 #include "ros/edit_answers.h"
 #include "ros/question_answers.h"
 #include "ros/request_error.h"
@@ -105,17 +106,16 @@ template <typename Service>
 void Services::serve(Kind kind, const Answer<Service>& answer,
                      const typename Service::Request& request,
                      typename Service::Response& response) {
-  try {
+  const auto failure = attempt(deps_.log, "request", [&] {
     const auto waited = requireTurn(kind);
     const SnapshotPtr snapshot = requireSnapshot();
     const Frames frames(deps_.transforms, deps_.cancelled, snapshot->frame(),
                         snapshot->parameters->node.tf_timeout);
     response = answer(Ground{*snapshot, frames, deps_.cancelled, waited}, request);
-  } catch (...) {
-    const Status status = statusOfException();
-    deps_.log.warn("request", status.message);
-    setStatus(response, status);
-  }
+  });
+  if (!failure) return;
+  deps_.log.warn("request", failure->message);
+  setStatus(response, *failure);
 }
 
 RequestQueue::Clock::duration Services::requireTurn(Kind kind) const {
@@ -163,17 +163,17 @@ nav_msgs::GetPlan::Response Services::makePlan(const Ground& ground,
 }
 
 bool Services::rebuild(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  try {
+  const auto failure = attempt(deps_.log, "rebuild", [&] {
     const std::string error = deps_.settings.reload();
     if (!error.empty()) throw RequestError(Status::INVALID_REQUEST, error);
     deps_.builder.setParameters(deps_.settings.parameters());
     if (!deps_.builder.rebuild()) throw RequestError(Status::NO_MAP, "no map has arrived yet");
     response.success = true;
     response.message = "the map is being built anew";
-  } catch (...) {
-    response.success = false;
-    response.message = statusOfException().message;
-  }
+  });
+  if (!failure) return true;
+  response.success = false;
+  response.message = failure->message;
   return true;
 }
 
