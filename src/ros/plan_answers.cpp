@@ -97,7 +97,7 @@ agrid_map::PlanAreas::Response answerPlanAreas(const Ground& ground,
     list = snapshot.planner->routes(wanted, request.max_routes);
   } else {
     const agrid::FoundThings found = findThings(*snapshot.map, request.goal, {false, true});
-    const WayFinder ways{*snapshot.planner, limit};
+    const WayFinder ways{*snapshot.planner, limit, snapshot.map.get()};
     list = ways.routesToNearest(found.things, wanted, request.max_routes);
     list.message = withRemark(found, list.message);
   }

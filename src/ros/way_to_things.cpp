@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "agrid/semantic_map/object_area.h"
@@ -59,6 +60,47 @@ std::vector<Place> placesBeside(const agrid::ObjectTag& object, const agrid::Poi
   return places;
 }
 
+/// What `ask` answers, a plan or routes, for the best place beside an object, see
+/// WayFinder::planTo.
+template <typename Ask, typename Answer = std::invoke_result_t<Ask, const agrid::PlanRequest&>>
+Answer askBeside(const WayFinder& ways, const agrid::ObjectTag& object,
+                 const agrid::PlanRequest& base, const Ask& ask) {
+  constexpr int kMostWithoutRoute = 8;  // it takes a while to say why there is none
+  using agrid::PlanStatus;
+  const auto near = [&] { return ways.timedRequestTo(&object, base, false); };
+  int without_route = 0;
+  const double radius = base.robot_radius.value_or(ways.planner.circleRadius());
+  for (const Place& place : placesBeside(object, base.start.position_map, radius, ways.map)) {
+    agrid::PlanRequest request = near();
+    request.goal = place.point;
+    request.tolerance = 0;
+    Answer answer = ask(request);
+    if (answer.status == PlanStatus::kSuccess) {
+      answer.message = "ends beside '" + object.name + "' and faces it";
+      return answer;
+    }
+    if (answer.status == PlanStatus::kStartInvalid) {
+      // what may be moved is moved as it would be for a place near the object
+      const agrid::Plan plan = ways.planner.plan(near());
+      if (plan.status != PlanStatus::kSuccess || !plan.start_moved) return ask(near());
+      agrid::PlanRequest moved = base;
+      moved.start.position_map = plan.path_map.front().position;
+      answer = askBeside(ways, object, moved, ask);
+      if constexpr (std::is_same_v<Answer, agrid::Plan>) answer.start_moved = true;
+      return answer;
+    }
+    const bool not_there = answer.status == PlanStatus::kGoalInvalid;
+    const bool no_route = answer.status == PlanStatus::kNoRoute;
+    if (!not_there && !no_route) break;
+    if (no_route && ++without_route == kMostWithoutRoute) break;
+  }
+  Answer answer = ask(near());
+  if (answer.status == PlanStatus::kSuccess) {
+    answer.message = "no free place beside '" + object.name + "' can be reached; ends near it";
+  }
+  return answer;
+}
+
 std::string overAfter(std::size_t count, std::size_t all, const std::string& message) {
   return (message.empty() ? "" : "; ") + std::string("the time was over after ") +
          std::to_string(count) + " of " + std::to_string(all) + " places";
@@ -87,40 +129,22 @@ agrid::PlanRequest WayFinder::timedRequestTo(const agrid::Thing& thing,
 
 agrid::Plan WayFinder::planTo(const agrid::Thing& thing, const agrid::PlanRequest& base,
                               bool at_anchor) const {
-  constexpr int kMostWithoutRoute = 8;  // it takes a while to say why there is none
-  const auto* object = std::get_if<const agrid::ObjectTag*>(&thing);
-  if (!object) return planner.plan(timedRequestTo(thing, base, at_anchor));
-  int without_route = 0;
-  const double radius = base.robot_radius.value_or(planner.circleRadius());
-  for (const Place& place : placesBeside(**object, base.start.position_map, radius, map)) {
-    agrid::PlanRequest request = timedRequestTo(thing, base, at_anchor);
-    request.goal = place.point;
-    request.tolerance = 0;
-    agrid::Plan plan = planner.plan(request);
-    if (plan.status == agrid::PlanStatus::kSuccess) {
-      plan.message = "ends beside '" + (*object)->name + "' and faces it";
-      return plan;
-    }
-    if (plan.status == agrid::PlanStatus::kStartInvalid) {
-      // what may be moved is moved as it would be for a place near the object
-      plan = planner.plan(timedRequestTo(thing, base, at_anchor));
-      if (plan.status != agrid::PlanStatus::kSuccess || !plan.start_moved) return plan;
-      agrid::PlanRequest moved = base;
-      moved.start.position_map = plan.path_map.front().position;
-      plan = planTo(thing, moved, at_anchor);
-      plan.start_moved = true;
-      return plan;
-    }
-    const bool not_there = plan.status == agrid::PlanStatus::kGoalInvalid;
-    const bool no_route = plan.status == agrid::PlanStatus::kNoRoute;
-    if (!not_there && !no_route) break;
-    if (no_route && ++without_route == kMostWithoutRoute) break;
+  const auto plan = [this](const agrid::PlanRequest& request) { return planner.plan(request); };
+  if (const auto* object = std::get_if<const agrid::ObjectTag*>(&thing)) {
+    return askBeside(*this, **object, base, plan);
   }
-  agrid::Plan plan = planner.plan(timedRequestTo(thing, base, at_anchor));
-  if (plan.status == agrid::PlanStatus::kSuccess) {
-    plan.message = "no free place beside '" + (*object)->name + "' can be reached; ends near it";
+  return plan(timedRequestTo(thing, base, at_anchor));
+}
+
+agrid::RouteList WayFinder::routesTo(const agrid::Thing& thing, const agrid::PlanRequest& base,
+                                     std::size_t max_routes) const {
+  const auto list = [&](const agrid::PlanRequest& request) {
+    return planner.routes(request, max_routes);
+  };
+  if (const auto* object = std::get_if<const agrid::ObjectTag*>(&thing)) {
+    return askBeside(*this, **object, base, list);
   }
-  return plan;
+  return list(timedRequestTo(thing, base, false));
 }
 
 agrid::Plan WayFinder::planToNearest(const std::vector<agrid::Thing>& things,
@@ -144,13 +168,13 @@ agrid::Plan WayFinder::planToNearest(const std::vector<agrid::Thing>& things,
 agrid::RouteList WayFinder::routesToNearest(const std::vector<agrid::Thing>& things,
                                             const agrid::PlanRequest& base,
                                             std::size_t max_routes) const {
-  agrid::RouteList best = planner.routes(timedRequestTo(things.at(0), base, false), max_routes);
+  agrid::RouteList best = routesTo(things.at(0), base, max_routes);
   for (std::size_t i = 1; i < things.size(); ++i) {
     if (limit.isOver()) {
       best.message += overAfter(i, things.size(), best.message);
       break;
     }
-    agrid::RouteList list = planner.routes(timedRequestTo(things[i], base, false), max_routes);
+    agrid::RouteList list = routesTo(things[i], base, max_routes);
     if (list.routes.empty()) continue;
     const bool better =
         best.routes.empty() || list.routes.front().length < best.routes.front().length;

@@ -29,6 +29,9 @@ struct WayFinder {
   /// @param base  all but goal and timeout
   agrid::Plan planTo(const agrid::Thing& thing, const agrid::PlanRequest& base,
                      bool at_anchor) const;
+  /// The routes to where planTo() ends, and the same statuses.
+  agrid::RouteList routesTo(const agrid::Thing& thing, const agrid::PlanRequest& base,
+                            std::size_t max_routes) const;
 
   /// The shortest of the ways to the things; if none can be reached, what is said of the first. The
   /// message tells if the time was over before all were looked at.

@@ -141,6 +141,32 @@ TEST_F(Answers, WhereIsWithoutAWay) {
   EXPECT_EQ(response.distances[0], std::numeric_limits<double>::infinity());
 }
 
+TEST_F(Answers, ARouteToAnObjectEndsWhereThePathDoes) {
+  const auto walls_between = agrid::Point2(6.4, 5);  // nearer to the left room
+  for (const agrid::Point2& center : {walls_between, agrid::Point2(9.5, 3.5), {7.1, 5}, {1.2, 1}}) {
+    auto map = std::make_shared<agrid::SemanticMap>(*snapshot_.map);
+    agrid::ObjectTag fridge;
+    fridge.name = "fridge";
+    fridge.pose_map = {center, 0};
+    fridge.size = {0.6, 0.4};
+    map->knowledge.objects = {fridge};
+    snapshot_.map = map;
+    for (const double x : {2.5, 9.5}) {
+      agrid_map::PlanPath::Request to_path;
+      to_path.start = at(x, 3.5);
+      to_path.goal_name = "fridge";
+      const auto path = answerPlanPath(ground_, to_path);
+      agrid_map::PlanAreas::Request to_areas;
+      to_areas.start_pose = to_path.start;
+      to_areas.goal = to_path.goal_name;
+      const auto list = answerPlanAreas(ground_, to_areas);
+      ASSERT_EQ(list.status.code, int{Status::SUCCESS}) << list.status.message;
+      EXPECT_EQ(list.status.message, path.status.message);
+      EXPECT_EQ(list.routes.at(0).areas, path.route.areas) << center.x() << ", from " << x;
+    }
+  }
+}
+
 TEST_F(Answers, APathToAnObjectEndsBesideItAndFacesIt) {
   const agrid::Point2 places[] = {{9.5, 3.5}, {8, 5.8}, {7.2, 1.2}, {10, 6.05}, {7.1, 5}};
   for (const agrid::Point2& center : places) {  // in the open, at walls, in a corner, in a wall
