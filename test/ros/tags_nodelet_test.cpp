@@ -3,9 +3,6 @@
 #include <cmath>
 #include <csignal>
 
-#include <XmlRpcClient.h>
-#include <ros/master.h>
-#include <ros/network.h>
 #include <std_msgs/String.h>
 #include <std_srvs/Trigger.h>
 
@@ -17,6 +14,7 @@
 #include <agrid_map/SaveMap.h>
 #include <agrid_map/SetDoor.h>
 
+#include "node_process.h"
 #include "nodelet_client.h"
 
 namespace agrid_map_ros {
@@ -24,24 +22,6 @@ namespace {
 
 using agrid_map::Status;
 using agrid_map::Tag;
-
-/// The id of a node's process.
-pid_t processOf(const std::string& node) {
-  XmlRpc::XmlRpcValue request;
-  XmlRpc::XmlRpcValue response;
-  XmlRpc::XmlRpcValue uri;
-  request[0] = ros::this_node::getName();
-  request[1] = node;
-  if (!ros::master::execute("lookupNode", request, response, uri, false)) return -1;
-  std::string host;
-  std::uint32_t port = 0;
-  if (!ros::network::splitURI(uri, host, port)) return -1;
-  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-  XmlRpc::XmlRpcValue own_name;
-  own_name[0] = ros::this_node::getName();
-  if (!client.execute("getPid", own_name, response)) return -1;
-  return static_cast<int>(response[2]);
-}
 
 /// Talks to the nodelets of agrid_tags.test.
 class TagsNodelet : public test::NodeletClient {
@@ -243,7 +223,7 @@ TEST_F(TagsNodelet, L2_AllThatWasAcknowledgedIsThereAfterTheNodeIsKilled) {
   const auto added = add(tag(Tag::AREA, "kitchen", 2.5, 3.5));
   const auto fridge = add(tag(Tag::OBJECT, "fridge", 3, 3));
   ASSERT_EQ(fridge.status.code, Status::SUCCESS);
-  ASSERT_EQ(kill(processOf("/agrid"), SIGKILL), 0);
+  ASSERT_EQ(kill(test::processOf("/agrid"), SIGKILL), 0);
   ASSERT_TRUE(test::eventually([&] {
     agrid_map::GetGraph service;
     return ros::service::call("agrid/get_graph", service) &&
