@@ -41,6 +41,13 @@ def allowed(user, used):
     return False
 
 
+def rviz_breach(root, user, include):
+    """Whether code for RViz includes what lives in another room of src/ or include/."""
+    if user != 'rviz' or '/' not in include:
+        return False
+    return any((root / top / include).exists() for top in ('include', 'src'))
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
     files = [(f, f.relative_to(root / top).as_posix()) for top in ('include', 'src')
@@ -56,6 +63,8 @@ def main():
             include = match.group(1)
             if core and ROS.match(include):
                 wrong.append('%s:%d: the core includes ROS: %s' % (file, number, include))
+            elif rviz_breach(root, user, include):
+                wrong.append('%s:%d: RViz sees messages only: %s' % (file, number, include))
             elif '/' in include and not ROS.match(include) and not allowed(user, room_of(include)):
                 wrong.append('%s:%d: %s may not include %s' % (file, number, user, include))
     print('\n'.join(wrong))

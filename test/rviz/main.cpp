@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QApplication>
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+
+#include "screen.h"
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "agrid_rviz_test");
+  const agrid_map_rviz::test::Screen screen;
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}
