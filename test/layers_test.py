@@ -10,7 +10,7 @@ import sys
 
 ORDER = ['geometry', 'map', 'grid', 'tags', 'areas', 'topology', 'semantic_map']
 # blind to each other, above all of ORDER
-TOP = {'planning', 'pipeline', 'storage', 'identity', 'dialogue', 'evaluation'}
+TOP = {'planning', 'pipeline', 'storage', 'identity', 'dialogue', 'evaluation', 'exchange'}
 ROS = re.compile(r'^(ros|tf2|tf2_ros|tf2_geometry_msgs|nodelet|pluginlib|rviz|costmap_2d|nav_core|\w+_msgs|'
                  r'std_srvs|dynamic_reconfigure|agrid_map)/')
 INCLUDE = re.compile(r'^\s*#\s*include\s+[<"]([^>"]+)[>"]')

@@ -28,6 +28,7 @@ Command checkCommand();     ///< tells what is wrong with stored tags
 Command convertCommand();   ///< map -> areas, doors, graph and their pictures
 Command diffCommand();      ///< tells what differs between stored tags
 Command evalCommand();      ///< scores areas and doors against rooms drawn by people
+Command exportCommand();    ///< map -> files of other programs
 Command generateCommand();  ///< draws an office
 Command planCommand();      ///< answers start-goal pairs
 

@@ -2,20 +2,17 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 #include <sstream>
 
-#include "agrid/map/map_io.h"
-#include "agrid/pipeline.h"
 #include "agrid/storage.h"
+#include "exchange/label_image.h"
 #include "grid/edge_image.h"
 #include "storage/snapshot.h"
 #include "tools/commands.h"
 #include "tools/image_frame.h"
-#include "tools/laid_knowledge.h"
+#include "tools/known_map.h"
 #include "tools/output_directory.h"
 #include "tools/pictures.h"
-#include "tools/pipeline_options.h"
 #include "tools/reports.h"
 #include "tools/stage_meter.h"
 
@@ -29,31 +26,6 @@ const std::vector<std::string> kFiles{"edges.png",  "walls.png",    "grid.png", 
                                       "graph.json", "summary.json"};
 
 constexpr const char* kTagsFile = "tags.yaml";
-
-void append(Warnings& warnings, const Warnings& more) {
-  warnings.insert(warnings.end(), more.begin(), more.end());
-}
-
-SemanticMap makeMap(const std::string& yaml_path, const ConversionParams& params,
-                    const StoredMap& known, StageMeter& meter, Warnings& warnings) {
-  meter.begin("load");
-  std::shared_ptr<const OccupancyMap> map;
-  {
-    MapFileParams file_params;
-    file_params.max_pixels = params.map.max_pixels;
-    const LoadedMap loaded = loadMap(yaml_path, file_params);
-    append(warnings, loaded.warnings);
-    map = std::make_shared<const OccupancyMap>(loaded.grid, params.map);
-  }
-  const auto on_stage = [&](const std::string& stage) { meter.begin(stage); };
-  const Structure structure = extractStructure(map, params.pipeline, on_stage);
-  LaidKnowledge laid = layKnowledge(structure, known, params.pipeline, on_stage);
-  append(warnings, map->warnings());
-  append(warnings, structure.walls.warnings);
-  append(warnings, laid.map.area_map.warnings);
-  append(warnings, laid.report);
-  return std::move(laid.map);
-}
 
 void writePictures(const SemanticMap& map, const WallParams& params, OutputDirectory& output) {
   writePng(output.stagedPath("edges.png"), drawEdges(detectEdges(map.map(), params)));
@@ -77,17 +49,6 @@ std::string inAll(const std::vector<StageCost>& costs) {
   return text.str();
 }
 
-/// What is stored, or an empty place.
-StoredMap knownBefore(const Arguments& arguments, Warnings& warnings) {
-  StoredMap nothing;
-  nothing.frame_id = "map";
-  if (!arguments.has("tags")) return nothing;
-  StoreContents contents = readStoredMap(arguments.value("tags"));
-  append(warnings, contents.errors);
-  append(warnings, contents.warnings);
-  return std::move(contents.map);
-}
-
 std::vector<std::string> filesToWrite(const Arguments& arguments) {
   std::vector<std::string> files = kFiles;
   if (arguments.has("save-tags")) files.emplace_back(kTagsFile);
@@ -101,7 +62,8 @@ int convert(const Arguments& arguments) {
   StageMeter meter("convert");
   Warnings warnings;
   const StoredMap known = knownBefore(arguments, warnings);
-  const SemanticMap map = makeMap(arguments.operand(0), params, known, meter, warnings);
+  const SemanticMap map = makeMap(arguments.operand(0), params, known, warnings,
+                                  [&](const std::string& stage) { meter.begin(stage); });
   const MapGeometry& geometry = map.map().geometry();
   meter.begin("write");
   writePictures(map, params.pipeline.walls, output);

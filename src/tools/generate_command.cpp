@@ -3,6 +3,7 @@
 
 #include "agrid/evaluation/office_generator.h"
 #include "agrid/map/map_io.h"
+#include "exchange/label_image.h"
 #include "tools/commands.h"
 #include "tools/image_frame.h"
 #include "tools/output_directory.h"

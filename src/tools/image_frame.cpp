@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/image_frame.h"
 
-#include <algorithm>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -17,15 +16,6 @@ Point2 mapPoint(const Point2& image_px, const MapGeometry& geometry) {
   return geometry.map_from_image *
          Point2((image_px.x() + 0.5) * geometry.resolution,
                 (geometry.height - 0.5 - image_px.y()) * geometry.resolution);
-}
-
-cv::Mat labelImage(const std::vector<std::uint16_t>& labels, const MapGeometry& geometry) {
-  cv::Mat image(geometry.height, geometry.width, CV_16UC1);
-  for (int y = 0; y < image.rows; ++y) {
-    const std::uint16_t* row = labels.data() + geometry.index({0, image.rows - 1 - y});
-    std::copy(row, row + image.cols, image.ptr<std::uint16_t>(y));
-  }
-  return image;
 }
 
 std::string segmentsCsv(const std::vector<Segment>& segments_map, const MapGeometry& geometry) {

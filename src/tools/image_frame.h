@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "agrid/geometry/segment.h"
 #include "agrid/map/map_geometry.h"
-#include "opencv2/core.hpp"
 
 namespace agrid::tools {
 
@@ -17,9 +15,6 @@ Point2 imagePoint(const Point2& point_map, const MapGeometry& geometry);
 
 /// The way back: a point in pixels of the map's image, in the map frame [m].
 Point2 mapPoint(const Point2& image_px, const MapGeometry& geometry);
-
-/// Labels per pixel (row 0 = smallest y) as a 16-bit image whose row 0 is the top.
-cv::Mat labelImage(const std::vector<std::uint16_t>& labels, const MapGeometry& geometry);
 
 /// A line "x1,y1,x2,y2" for each segment, in image pixels, below a header.
 std::string segmentsCsv(const std::vector<Segment>& segments_map, const MapGeometry& geometry);

@@ -5,7 +5,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "tools/area_colors.h"
+#include "exchange/area_colors.h"
 #include "tools/canvas.h"
 
 namespace agrid::tools {

@@ -3,20 +3,10 @@
 
 #include <cmath>
 
-#include <nlohmann/json.hpp>
+#include "exchange/json_text.h"
 
 namespace agrid::tools {
 namespace {
-
-using Json = nlohmann::json;
-
-/// A tenth of a millimetre is finer than any map; more digits only hide what changed.
-double rounded(double value) {
-  const double result = std::round(value * 1e4) / 1e4;
-  return result == 0 ? 0.0 : result;
-}
-
-Json point(const Point2& p) { return {rounded(p.x()), rounded(p.y())}; }
 
 Json pose(const Pose2& p) {
   return {{"x", rounded(p.position.x())},
@@ -40,12 +30,12 @@ const char* stateName(DoorState state) {
 
 Json areaJson(const Area& area) {
   Json outline = Json::array();
-  for (const Point2& corner : area.outline_map) outline.push_back(point(corner));
+  for (const Point2& corner : area.outline_map) outline.push_back(jsonPoint(corner));
   return {{"id", number(area.id)},
           {"name", area.name},
           {"category", area.category},
           {"category_guess", area.category_guess},
-          {"anchor", point(area.anchor_map)},
+          {"anchor", jsonPoint(area.anchor_map)},
           {"anchor_clearance", rounded(area.anchor_clearance)},
           {"size", rounded(area.size)},
           {"outline", outline}};
@@ -55,25 +45,11 @@ Json doorJson(const Door& door) {
   return {{"id", static_cast<std::uint32_t>(door.id)},
           {"name", door.name},
           {"kind", door.kind == DoorKind::kDoor ? "DOOR" : "PASSAGE"},
-          {"jambs", {point(door.jambs_map.a), point(door.jambs_map.b)}},
+          {"jambs", {jsonPoint(door.jambs_map.a), jsonPoint(door.jambs_map.b)}},
           {"width", rounded(door.width)},
           {"areas", {number(door.areas[0]), number(door.areas[1])}},
           {"state", stateName(door.state)},
           {"confidence", rounded(door.confidence)}};
-}
-
-/// Names come from people: bytes that are no UTF-8 are replaced, not thrown at.
-std::string dump(const Json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
-/// An array with a line for each element, so that what changed shows line by line.
-std::string dumpLines(const Json& array) {
-  std::string text = "[";
-  for (std::size_t i = 0; i < array.size(); ++i) {
-    text += (i == 0 ? "\n  " : ",\n  ") + dump(array[i], -1);
-  }
-  return text + "]";
 }
 
 }  // namespace
@@ -92,9 +68,9 @@ std::string graphJson(const SemanticMap& map) {
   for (const Area& area : map.area_map.areas) areas.push_back(areaJson(area));
   Json doors = Json::array();
   for (const Door& door : map.area_map.doors) doors.push_back(doorJson(door));
-  return "{\"format_version\": 1,\n \"frame\": \"map\",\n \"map\": " + dump(about_map, -1) +
-         ",\n \"grid\": " + dump(about_grid, -1) + ",\n \"areas\": " + dumpLines(areas) +
-         ",\n \"doors\": " + dumpLines(doors) + "}\n";
+  return "{\"format_version\": 1,\n \"frame\": \"map\",\n \"map\": " + jsonText(about_map) +
+         ",\n \"grid\": " + jsonText(about_grid) + ",\n \"areas\": " + jsonLines(areas) +
+         ",\n \"doors\": " + jsonLines(doors) + "}\n";
 }
 
 std::string summaryJson(const SemanticMap& map, const std::vector<StageCost>& costs,
@@ -117,7 +93,7 @@ std::string summaryJson(const SemanticMap& map, const std::vector<StageCost>& co
   }
   json["seconds"] = rounded(total);
   json["warnings"] = warnings;
-  return dump(json, 1) + "\n";
+  return jsonText(json, 1) + "\n";
 }
 
 std::vector<Door> doorsBetweenAreas(const AreaMap& areas) {

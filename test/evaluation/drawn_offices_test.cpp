@@ -10,6 +10,7 @@
 #include "agrid/map/map_io.h"
 #include "agrid/pipeline.h"
 #include "evaluation/mean_scores.h"
+#include "exchange/label_image.h"
 #include "support/temporary_folder.h"
 #include "tools/case_scoring.h"
 #include "tools/image_frame.h"
@@ -26,7 +27,7 @@ void drawOffice(const std::string& folder, const OfficeParams& params) {
   const MapGeometry& geometry = office.grid.geometry;
   std::filesystem::create_directory(folder);
   saveMap(office.grid, folder + "/office.yaml");
-  tools::writePng(folder + "/rooms.png", tools::labelImage(office.rooms, geometry));
+  tools::writePng(folder + "/rooms.png", labelImage(office.rooms, geometry));
   tools::writeText(folder + "/doors.csv", tools::segmentsCsv(office.doors_map, geometry));
 }
 

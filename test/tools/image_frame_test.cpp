@@ -26,15 +26,6 @@ TEST(ImageFrame, HonoursTheYawOfTheMap) {
   EXPECT_NEAR(point.y(), 4, 1e-9);
 }
 
-TEST(ImageFrame, LabelsAreFlippedOnce) {
-  const MapGeometry geometry{2, 3, 1, {}};
-  const cv::Mat image = labelImage({1, 2, 3, 4, 5, 60000}, geometry);
-  ASSERT_EQ(image.type(), CV_16UC1);
-  EXPECT_EQ(image.at<std::uint16_t>(0, 1), 60000);
-  EXPECT_EQ(image.at<std::uint16_t>(2, 0), 1);
-  EXPECT_EQ(image.at<std::uint16_t>(2, 1), 2);
-}
-
 TEST(ImageFrame, SegmentsAreLinesUnderAHeader) {
   const MapGeometry geometry{10, 10, 0.5, {}};
   const std::vector<Segment> segments{{{0.25, 0.25}, {1.25, 0.3}}};

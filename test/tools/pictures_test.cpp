@@ -8,7 +8,7 @@
 
 #include "agrid/pipeline.h"
 #include "support/ascii_map.h"
-#include "tools/area_colors.h"
+#include "exchange/area_colors.h"
 
 namespace agrid::tools {
 namespace {

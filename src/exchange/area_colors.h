@@ -7,7 +7,7 @@
 
 #include "agrid/areas/area_map.h"
 
-namespace agrid::tools {
+namespace agrid {
 
 /// A light colour (BGR) for each area, in their order. An area keeps its colour from run to run by
 /// its id; neighbours differ.
@@ -16,4 +16,4 @@ std::vector<cv::Vec3b> areaColors(const AreaMap& areas);
 /// A darker shade of the same hue.
 cv::Scalar darker(const cv::Vec3b& color);
 
-}  // namespace agrid::tools
+}  // namespace agrid

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/area_colors.h"
+#include "exchange/area_colors.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
-namespace agrid::tools {
+namespace agrid {
 namespace {
 
 constexpr double kGoldenRatio = 0.6180339887498949;
@@ -59,4 +59,4 @@ cv::Scalar darker(const cv::Vec3b& color) {
   return {color[0] * 0.55, color[1] * 0.55, color[2] * 0.55};
 }
 
-}  // namespace agrid::tools
+}  // namespace agrid
