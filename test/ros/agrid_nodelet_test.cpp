@@ -7,8 +7,12 @@
 #include <std_srvs/Trigger.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <agrid_map/AddTag.h>
 #include <agrid_map/GetAGrid.h>
+#include <agrid_map/ListTags.h>
 #include <agrid_map/PlanAreas.h>
+#include <agrid_map/RemoveTag.h>
+#include <agrid_map/SetDoor.h>
 #include <agrid_map/WhereIs.h>
 
 #include "nodelet_client.h"
@@ -21,7 +25,7 @@ using test::eventually;
 
 using Nodelet = test::NodeletClient;
 
-TEST_F(Nodelet, M3_P12_WithoutAMapEveryServiceSaysSo) {
+TEST_F(Nodelet, M3_P12_T15_WithoutAMapEveryServiceSaysSo) {
   EXPECT_EQ(ask<agrid_map::GetGraph>("empty/get_graph").status.code, int{Status::NO_MAP});
   EXPECT_EQ(ask<agrid_map::GetAGrid>("empty/get_agrid").status.code, int{Status::NO_MAP});
   EXPECT_EQ(ask<agrid_map::LabelAt>("empty/label_at").status.code, int{Status::NO_MAP});
@@ -30,6 +34,10 @@ TEST_F(Nodelet, M3_P12_WithoutAMapEveryServiceSaysSo) {
   EXPECT_EQ(ask<agrid_map::PlanPath>("empty/plan_path").status.code, int{Status::NO_MAP});
   EXPECT_TRUE(ask<nav_msgs::GetPlan>("empty/make_plan").plan.poses.empty());
   EXPECT_FALSE(ask<std_srvs::Trigger>("empty/rebuild").success);
+  EXPECT_EQ(ask<agrid_map::AddTag>("empty/add_tag").status.code, int{Status::NO_MAP});
+  EXPECT_EQ(ask<agrid_map::RemoveTag>("empty/remove_tag").status.code, int{Status::NO_MAP});
+  EXPECT_EQ(ask<agrid_map::SetDoor>("empty/set_door").status.code, int{Status::NO_MAP});
+  EXPECT_EQ(ask<agrid_map::ListTags>("empty/list_tags").status.code, int{Status::NO_MAP});
 }
 
 TEST_F(Nodelet, L3_R1_BadParametersAreToldUntilTheyAreMended) {

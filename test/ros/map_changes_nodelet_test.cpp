@@ -9,6 +9,7 @@
 #include <rosgraph_msgs/Log.h>
 
 #include "agrid/evaluation/office_generator.h"
+#include "node_process.h"
 #include "nodelet_client.h"
 
 namespace agrid_map_ros {
@@ -17,7 +18,27 @@ namespace {
 using agrid_map::Status;
 using test::eventually;
 
-class Maps : public test::NodeletClient {};
+class Maps : public test::NodeletClient {
+ protected:
+  /// Whether /diagnostics gives an error with these words as the last one of a node.
+  static bool tells(const std::string& node, const std::string& words) {
+    std::string last_error;
+    ros::CallbackQueue queue;
+    ros::NodeHandle nh;
+    nh.setCallbackQueue(&queue);
+    const boost::function<void(const diagnostic_msgs::DiagnosticArrayConstPtr&)> listen =
+        [&](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
+          const auto& status = array->status.at(0);
+          if (status.name == node + ": map") last_error = status.values.back().value;
+        };
+    const ros::Subscriber subscriber =
+        nh.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, listen);
+    return eventually([&] {
+      queue.callAvailable();
+      return last_error.find(words) != std::string::npos;
+    });
+  }
+};
 
 TEST_F(Maps, ASecondMapReplacesTheFirst) {
   useTwoRooms();
@@ -88,27 +109,41 @@ TEST_F(Maps, M22_M23_PatchesChangeTheMapIfTheyFit) {
   }));
 }
 
+TEST_F(Maps, M23_APatchBeforeAnyMapIsIgnored) {
+  ASSERT_TRUE(eventually([this] { return update_publisher_.getNumSubscribers() >= 2; }));
+  map_msgs::OccupancyGridUpdate patch;
+  patch.header.frame_id = "map";
+  patch.width = patch.height = 1;
+  patch.data = {100};
+  update_publisher_.publish(patch);
+  EXPECT_TRUE(tells("empty", "no map has arrived that could be patched"));
+  EXPECT_EQ(ask<agrid_map::GetGraph>("empty/get_graph").status.code, int{Status::NO_MAP});
+}
+
+TEST_F(Maps, M24_AfterAFloodOfMapsTheNewestIsInUse) {
+  useTwoRooms();
+  const std::uint32_t version = graph().version;
+  const pid_t process = test::processOf("/agrid");
+  const long before = test::residentKilobytes(process);
+  constexpr int kMaps = 400;
+  auto map = test::drawn(test::twoRoomsAndACloset());
+  for (int i = 0; i < kMaps; ++i) {
+    map.data.at(200 + static_cast<std::size_t>(i)) = 0;  // each another one
+    map_publisher_.publish(map);
+    ros::Duration(0.002).sleep();
+  }
+  EXPECT_TRUE(eventually([&] { return graph().map_id == digestOf(map); }));
+  EXPECT_LE(graph().version, version + kMaps);
+  EXPECT_LT(test::residentKilobytes(process) - before, 50000);  // no backlog
+}
+
 TEST_F(Maps, M1_ABadMapLeavesTheFormerOneInUse) {
   useTwoRooms();
   const auto before = graph();
-  std::string last_error;  // as /diagnostics tells it
-  ros::CallbackQueue queue;
-  ros::NodeHandle nh;
-  nh.setCallbackQueue(&queue);
-  const boost::function<void(const diagnostic_msgs::DiagnosticArrayConstPtr&)> listen =
-      [&last_error](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
-        const auto& status = array->status.at(0);
-        if (status.name == "agrid: map") last_error = status.values.back().value;
-      };
-  const ros::Subscriber subscriber =
-      nh.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, listen);
   auto bad = test::drawn(test::walledUp());
   bad.data.pop_back();
   map_publisher_.publish(bad);
-  EXPECT_TRUE(eventually([&] {
-    queue.callAvailable();
-    return last_error.find("values") != std::string::npos;
-  }));
+  EXPECT_TRUE(tells("agrid", "values"));
   EXPECT_EQ(graph().version, before.version);
   EXPECT_EQ(pathStatus(pathRequest()), int{Status::SUCCESS});
 }
