@@ -100,6 +100,13 @@ void EditSession::finish(const QString& what, const std::vector<Change>& changes
 }
 
 void EditSession::undo() {
+  // behind what is still asked for, so that it takes that back
+  worker_.post([this] {
+    QMetaObject::invokeMethod(this, [this] { undoLast(); }, Qt::QueuedConnection);
+  });
+}
+
+void EditSession::undoLast() {
   if (done_.empty()) {
     Q_EMIT answered(false, tr("nothing was changed here that could be taken back"));
     return;

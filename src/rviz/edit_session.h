@@ -38,7 +38,7 @@ class EditSession : public QObject {
   /// Asks for changes, one after the other, up to the first that is refused.
   /// @param what  of the sentence for the user: 'kitchen renamed'
   void apply(const QString& what, const std::vector<Change>& changes);
-  /// Takes the last change back that was made here.
+  /// Takes back the last change that was made or asked for here.
   void undo();
   bool canUndo() const { return !done_.empty(); }
 
@@ -69,6 +69,7 @@ class EditSession : public QObject {
   std::string service(const char* name) const;
   Result make(const std::vector<Change>& changes);
   void finish(const QString& what, const std::vector<Change>& changes, const Result& result);
+  void undoLast();
   void finishUndo(const Done& done, const Result& result);
   void setGraph(const agrid_map::TopologicalGraph::ConstPtr& graph);
 

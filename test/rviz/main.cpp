@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include "rviz_window.h"
 #include "screen.h"
 
 int main(int argc, char** argv) {
@@ -11,5 +12,8 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "agrid_rviz_test");
   const agrid_map_rviz::test::Screen screen;
   const QApplication application(argc, argv);
-  return RUN_ALL_TESTS();
+  agrid_map_rviz::test::RvizWindow::open();
+  const int failed = RUN_ALL_TESTS();
+  agrid_map_rviz::test::RvizWindow::close();
+  return failed;
 }

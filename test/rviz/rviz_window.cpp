@@ -19,7 +19,7 @@ namespace agrid_map_rviz::test {
 
 rviz::VisualizationFrame* RvizWindow::frame_ = nullptr;
 
-void RvizWindow::SetUpTestSuite() {
+void RvizWindow::open() {
   frame_ = new rviz::VisualizationFrame;
   frame_->setApp(qApp);
   frame_->setSplashPath("");
@@ -28,7 +28,7 @@ void RvizWindow::SetUpTestSuite() {
   frame_->show();
 }
 
-void RvizWindow::TearDownTestSuite() {
+void RvizWindow::close() {
   delete frame_;
   frame_ = nullptr;
 }
@@ -61,7 +61,7 @@ void RvizWindow::SetUp() {
 }
 
 bool RvizWindow::comesTrue(const std::function<bool()>& condition) {
-  return QTest::qWaitFor(condition, 30000);
+  return QTest::qWaitFor(condition, 10000);
 }
 
 QTreeWidget* RvizWindow::list() {
@@ -73,7 +73,7 @@ QTreeWidget* RvizWindow::list() {
 
 void RvizWindow::press(const char* button) {
   auto* widget = RvizWindow::widget<QPushButton>(button);
-  ASSERT_TRUE(widget->isEnabled()) << button;
+  ASSERT_TRUE(comesTrue([&] { return widget->isEnabled(); })) << button;
   QTest::mouseClick(widget, Qt::LeftButton);
 }
 
@@ -155,12 +155,20 @@ std::vector<agrid_map::Tag> RvizWindow::given(std::uint8_t type) {
   return tags;
 }
 
-bool RvizWindow::areaIsCalled(double x, double y, const std::string& name) {
-  const std::uint32_t id = areaAt(x, y);
+QString RvizWindow::areaAt(double x, double y) {
+  const std::uint32_t id = NodeletClient::areaAt(x, y);
   for (const agrid_map::Area& area : now().areas) {
-    if (area.id == id) return area.name == name;
+    if (area.id == id) return QString::fromStdString(area.name);
   }
-  return false;
+  return {};
+}
+
+bool RvizWindow::becomesCalled(double x, double y, const QString& name) {
+  return comesTrue([&] { return areaAt(x, y) == name; });
+}
+
+bool RvizWindow::areasBecome(std::size_t count) {
+  return comesTrue([&] { return now().areas.size() == count; });
 }
 
 }  // namespace agrid_map_rviz::test

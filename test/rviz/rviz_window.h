@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include <rviz/properties/property.h>
 #include <rviz/render_panel.h>
+#include <rviz/tool_manager.h>
 #include <rviz/visualization_frame.h>
 #include <rviz/visualization_manager.h>
 
@@ -25,9 +27,12 @@ namespace agrid_map_rviz::test {
 /// RViz with rviz/agrid.rviz, looking at the nodelet of agrid_rviz.test, which has the two rooms.
 /// The window is made once: starting it takes seconds.
 class RvizWindow : public agrid_map_ros::test::NodeletClient {
+ public:
+  /// Opens and closes the window that all tests share.
+  static void open();
+  static void close();
+
  protected:
-  static void SetUpTestSuite();
-  static void TearDownTestSuite();
   void SetUp() override;
 
   /// Lets the window live until something is true; fails after a generous time.
@@ -61,9 +66,13 @@ class RvizWindow : public agrid_map_ros::test::NodeletClient {
 
   agrid_map::TopologicalGraph now() { return graph(); }
   std::vector<agrid_map::Tag> given(std::uint8_t type);
-  bool areaIsCalled(double x, double y, const std::string& name);
+  /// The name of the area at a point; empty: none is there.
+  QString areaAt(double x, double y);
+  bool becomesCalled(double x, double y, const QString& name);
+  /// Whether the graph gets this many areas.
+  bool areasBecome(std::size_t count);
 
-  static rviz::VisualizationFrame* frame_;
+  static rviz::VisualizationFrame* frame_;  ///< what is open
 };
 
 }  // namespace agrid_map_rviz::test
