@@ -4,7 +4,7 @@ find_package(catkin REQUIRED COMPONENTS
   std_msgs std_srvs tf2_geometry_msgs tf2_ros visualization_msgs)
 
 add_message_files(DIRECTORY msg FILES
-  AGrid.msg Area.msg Door.msg Object.msg Route.msg Status.msg Tag.msg TopologicalGraph.msg)
+  AGrid.msg Area.msg BlockedDoors.msg Door.msg Object.msg Route.msg Status.msg Tag.msg TopologicalGraph.msg)
 add_service_files(DIRECTORY srv FILES
   AddTag.srv GetAGrid.srv GetGraph.srv LabelAt.srv ListTags.srv LoadMap.srv PlanAreas.srv
   PlanPath.srv Query.srv RemoveTag.srv SaveMap.srv SetDoor.srv WhereIs.srv)

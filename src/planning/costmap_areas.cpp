@@ -142,4 +142,18 @@ void CostmapAreas::raise(Costmap& costmap) const {
   raise(costmap.costs.data(), {0, 0}, {geometry_.width, geometry_.height});
 }
 
+const CostmapAreas& CurrentAreas::get(const AreaCosts& areas, const MapGeometry& geometry) {
+  const auto isAsBefore = [&](const MapGeometry& former) {
+    return former.width == geometry.width && former.height == geometry.height &&
+           former.resolution == geometry.resolution &&
+           former.map_from_image.position == geometry.map_from_image.position &&
+           former.map_from_image.yaw == geometry.map_from_image.yaw;
+  };
+  if (!made_ || !(areas == areas_) || !isAsBefore(made_->geometry())) {
+    made_.emplace(areas, geometry, rules_);
+    areas_ = areas;
+  }
+  return *made_;
+}
+
 }  // namespace agrid

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/plan_answers.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "agrid/pipeline.h"
 #include "ros/request_error.h"
 #include "ros/text.h"
 #include "ros/time_limit.h"
@@ -78,6 +80,24 @@ agrid::Plan planPathTo(const Ground& ground, const agrid_map::PlanPath::Request&
   return plan;
 }
 
+/// The same snapshot with more doors closed, for one request.
+Snapshot withClosedDoors(const Snapshot& snapshot, const std::vector<std::uint32_t>& ids) {
+  agrid::Knowledge known = snapshot.map->knowledge;
+  for (const std::uint32_t id : ids) {
+    const auto door = std::find_if(known.doors.begin(), known.doors.end(),
+                                   [&](const auto& tag) { return tag.id == agrid::DoorId{id}; });
+    if (door == known.doors.end()) {
+      throw RequestError(Status::UNKNOWN_NAME,
+                         "closed_doors: no door has the id " + std::to_string(id));
+    }
+    door->state = agrid::DoorState::kClosed;
+  }
+  Snapshot closed = snapshot;
+  closed.map = std::make_shared<const agrid::SemanticMap>(agrid::retag(*snapshot.map, known));
+  closed.planner = std::make_shared<const agrid::Planner>(closed.map, *snapshot.planner);
+  return closed;
+}
+
 }  // namespace
 
 agrid_map::PlanAreas::Response answerPlanAreas(const Ground& ground,
@@ -111,6 +131,12 @@ agrid_map::PlanAreas::Response answerPlanAreas(const Ground& ground,
 
 agrid_map::PlanPath::Response answerPlanPath(const Ground& ground,
                                              const agrid_map::PlanPath::Request& request) {
+  if (!request.closed_doors.empty()) {
+    const Snapshot closed = withClosedDoors(ground.snapshot, request.closed_doors);
+    agrid_map::PlanPath::Request rest = request;
+    rest.closed_doors.clear();
+    return answerPlanPath({closed, ground.frames, ground.cancelled, ground.waited}, rest);
+  }
   const TimeLimit limit(request.timeout, timeoutParameter(ground), ground.waited);
   limit.requireTime();
   const Frames frames = ground.frames.until(limit.deadline());

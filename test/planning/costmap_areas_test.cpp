@@ -121,6 +121,24 @@ TEST(CostmapAreas, OutlinesAndDoorsBeyondTheMapOrNotFiniteDoNoHarm) {
   for (const std::uint8_t cost : map.costs) EXPECT_EQ(cost, 50);
 }
 
+TEST(CostmapAreas, AreMadeAnewWhereTagsOrTheCostmapChange) {
+  CurrentAreas current{CostRules{}};
+  const AreaCosts forbidden{{box(2, 2.5, 3, 3.5, kForbidden)}, {}};
+  Costmap map = freeMap();
+  const CostmapAreas* first = &current.get(forbidden, map.geometry);
+  first->raise(map);
+  EXPECT_EQ(costAt(map, 2.5, 3), kLethal);
+  map = freeMap();
+  current.get({{box(2, 2.5, 3, 3.5, 1)}, {{{2.55, 3.25}, {2.55, 3.75}}}}, map.geometry).raise(map);
+  EXPECT_EQ(costAt(map, 2.5, 2.7), 0);
+  EXPECT_EQ(costAt(map, 2.55, 3.5), kLethal);
+  map = freeMap();
+  map.geometry.map_from_image.position = {2, 2};  // a window that has moved
+  current.get(forbidden, map.geometry).raise(map);
+  EXPECT_EQ(costAt(map, 2.5, 3), kLethal);
+  EXPECT_EQ(costAt(map, 3.5, 3), 0);
+}
+
 TEST(CostmapAreas, RandomOutlinesHoldThePixelsWhoseCentresTurnAroundThem) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> x(0.5, 5.5), y(1.5, 5.5);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "agrid/geometry/polygon.h"
@@ -50,10 +51,24 @@ class CostmapAreas {
   /// All of it.
   void raise(Costmap& costmap) const;
 
+  const MapGeometry& geometry() const { return geometry_; }
+
  private:
   MapGeometry geometry_;
   std::vector<std::uint8_t> costs_;  ///< by pixel; empty: no area costs anything
   std::vector<Segment> doors_;
+};
+
+/// The costs of areas as they are now: made anew only where something has changed.
+class CurrentAreas {
+ public:
+  explicit CurrentAreas(const CostRules& rules) : rules_(rules) {}
+  const CostmapAreas& get(const AreaCosts& areas, const MapGeometry& geometry);
+
+ private:
+  CostRules rules_;
+  AreaCosts areas_;
+  std::optional<CostmapAreas> made_;
 };
 
 }  // namespace agrid
