@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <ros/serialization.h>
+
 #include "agrid/semantic_map/thing_lookup.h"
 #include "ros/request_error.h"
 #include "ros/text.h"
@@ -17,6 +19,16 @@ agrid::TagSource sourceOf(const agrid_map::Tag& tag) {
   if (tag.source <= agrid_map::Tag::INTERACTION) return static_cast<agrid::TagSource>(tag.source);
   throw RequestError(Status::INVALID_REQUEST,
                      "source is " + std::to_string(tag.source) + ", allowed [0, 2]");
+}
+
+/// Before any text of it is copied; more than all that a tag may hold.
+void requireBounded(const agrid_map::Tag& tag) {
+  constexpr std::uint32_t kMostBytes = 1U << 20U;
+  const std::uint32_t bytes = ros::serialization::serializationLength(tag);
+  if (bytes <= kMostBytes) return;
+  throw RequestError(
+      Status::INVALID_REQUEST,
+      "the tag has " + std::to_string(bytes) + " bytes, allowed are " + std::to_string(kMostBytes));
 }
 
 void requireFinite(const geometry_msgs::Vector3& size) {
@@ -135,6 +147,7 @@ agrid::EditParams editParams(const Parameters& parameters) {
 }
 
 agrid::AddTag tagFromMsg(const Frames& frames, const agrid_map::Tag& msg) {
+  requireBounded(msg);
   agrid::AddTag add;
   agrid::Pose2 pose_map;
   if (saysNothing(msg)) {

@@ -124,7 +124,7 @@ TEST_F(Maps, M24_AfterAFloodOfMapsTheNewestIsInUse) {
   useTwoRooms();
   const std::uint32_t version = graph().version;
   const pid_t process = test::processOf("/agrid");
-  const long before = test::residentKilobytes(process);
+  const long before = test::kilobytesOf(process);
   constexpr int kMaps = 400;
   auto map = test::drawn(test::twoRoomsAndACloset());
   for (int i = 0; i < kMaps; ++i) {
@@ -134,7 +134,7 @@ TEST_F(Maps, M24_AfterAFloodOfMapsTheNewestIsInUse) {
   }
   EXPECT_TRUE(eventually([&] { return graph().map_id == digestOf(map); }));
   EXPECT_LE(graph().version, version + kMaps);
-  EXPECT_LT(test::residentKilobytes(process) - before, 50000);  // no backlog
+  EXPECT_LT(test::kilobytesOf(process) - before, 50000);  // no backlog
 }
 
 TEST_F(Maps, M1_ABadMapLeavesTheFormerOneInUse) {

@@ -31,12 +31,12 @@ inline pid_t processOf(const std::string& node) {
   return static_cast<int>(response[2]);
 }
 
-/// What a process has in memory [kB]; 0 if there is none.
-inline long residentKilobytes(pid_t process) {
+/// What a process has in memory [kB], or the most that it had ("VmHWM:"); 0 if there is none.
+inline long kilobytesOf(pid_t process, const std::string& field = "VmRSS:") {
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
   for (std::string word; status >> word;) {
     long kilobytes = 0;
-    if (word == "VmRSS:" && status >> kilobytes) return kilobytes;
+    if (word == field && status >> kilobytes) return kilobytes;
   }
   return 0;
 }

@@ -73,7 +73,7 @@ TEST_F(Reload, L1_UnloadedWhileItBuildsAndStoresItLeavesNothingBehind) {
   long first = 0;
   for (int i = 0; i < cycles; ++i) {
     loadAndUnload();
-    if (i == 2) first = test::residentKilobytes(manager);
+    if (i == 2) first = test::kilobytesOf(manager);
   }
   EXPECT_EQ(test::processOf("/manager"), manager);
   const auto stored = agrid::readStoredMap(folder_ / "reloaded.yaml").map.knowledge;
@@ -81,8 +81,7 @@ TEST_F(Reload, L1_UnloadedWhileItBuildsAndStoresItLeavesNothingBehind) {
   for (const auto& box : stored.objects) {
     EXPECT_GE(box.pose_map.position.x(), moved_.at(box.name) - 1e-9) << box.name;
   }
-  const double growth =
-      static_cast<double>(test::residentKilobytes(manager) - first) / (cycles - 3);
+  const double growth = static_cast<double>(test::kilobytesOf(manager) - first) / (cycles - 3);
   std::printf("%d edits; %.0f kB more with each of %d reloads\n", edits_.load(), growth,
               cycles - 3);
   EXPECT_LT(growth, cycles < 100 ? 2000 : 50);  // a few say little
