@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <thread>
@@ -89,14 +90,15 @@ class NodeletClient : public testing::Test {
   }
 
   void placeRobot(double x, double y) { place("base_link", x, y); }
-  void place(const std::string& frame, double x, double y) {
+  void place(const std::string& frame, double x, double y, double yaw = 0) {
     geometry_msgs::TransformStamped transform;
     transform.header.stamp = ros::Time::now();
     transform.header.frame_id = "map";
     transform.child_frame_id = frame;
     transform.transform.translation.x = x;
     transform.transform.translation.y = y;
-    transform.transform.rotation.w = 1;
+    transform.transform.rotation.w = std::cos(yaw / 2);
+    transform.transform.rotation.z = std::sin(yaw / 2);
     broadcaster_.sendTransform(transform);
   }
 

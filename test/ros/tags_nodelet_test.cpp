@@ -145,15 +145,20 @@ TEST_F(TagsNodelet, AClosedDoorIsNotPlannedThrough) {
 }
 
 TEST_F(TagsNodelet, T14_TagsInOtherFramesAreBroughtToTheMaps) {
-  place("camera", 9.0, 3.0);
+  place("camera", 9.0, 3.0, M_PI / 2);
   ASSERT_TRUE(test::eventually([&] {
-    return add(tag(Tag::OBJECT, "fridge", 0.5, 0.5, "camera")).status.code == Status::SUCCESS;
+    return add(tag(Tag::OBJECT, "fridge", 0.5, -0.5, "camera")).status.code == Status::SUCCESS;
   }));
   const auto objects = graph().objects;
   ASSERT_EQ(objects.size(), 1U);
   EXPECT_NEAR(objects[0].pose.position.x, 9.5, 1e-9);
   EXPECT_NEAR(objects[0].pose.position.y, 3.5, 1e-9);
   EXPECT_EQ(objects[0].area, areaAt(9.5, 3.5));
+  placeRobot(2.5, 3.5);
+  ASSERT_TRUE(test::eventually([&] {
+    return add(tag(Tag::AREA, "315", 0, 0, "base_link")).status.code == Status::SUCCESS;
+  }));
+  EXPECT_EQ(areaNameAt(2.5, 3.5), "315");
   EXPECT_EQ(add(tag(Tag::OBJECT, "x", 0, 0, "nowhere")).status.code, Status::NO_TRANSFORM);
   EXPECT_EQ(add(tag(9, "x", 1, 1)).status.code, Status::INVALID_REQUEST);
 }
@@ -231,7 +236,10 @@ TEST_F(TagsNodelet, L2_AllThatWasAcknowledgedIsThereAfterTheNodeIsKilled) {
   }));
   EXPECT_EQ(areaNameAt(2.5, 3.5), "kitchen");
   EXPECT_EQ(areaAt(2.5, 3.5), added.id);
-  EXPECT_TRUE(knows(Tag::OBJECT, "fridge"));
+  agrid_map::Query::Request question;
+  question.question = "in kitchen";
+  EXPECT_EQ(ask<agrid_map::Query>("agrid/query", question).things.size(), 1U);
+  EXPECT_EQ(add(tag(Tag::OBJECT, "oven", 2, 2)).id, fridge.id + 1);
 }
 
 TEST_F(TagsNodelet, L12_TwoInstancesKnowTheirOwn) {
