@@ -40,6 +40,13 @@ void setStatus(Response& response, const Status& status) {
   }
 }
 
+template <typename Response>
+void remarkNewer(Response& response, const Snapshot& used, const SnapshotPtr& newest) {
+  if constexpr (!std::is_same_v<Response, nav_msgs::GetPlan::Response>) {
+    remarkChange(response.status, used, newest.get());
+  }
+}
+
 }  // namespace
 
 Services::Services(const ros::NodeHandle& private_nh, const Deps& deps)
@@ -112,6 +119,7 @@ void Services::serve(Kind kind, const Answer<Service>& answer,
     const Frames frames(deps_.transforms, deps_.cancelled, snapshot->frame(),
                         snapshot->parameters->node.tf_timeout);
     response = answer(Ground{*snapshot, frames, deps_.cancelled, waited}, request);
+    if (kind == Kind::kPlan) remarkNewer(response, *snapshot, deps_.keeper.snapshot());
   });
   if (!failure) return;
   deps_.log.warn("request", failure->message);
@@ -150,8 +158,6 @@ agrid_map::PlanPath::Response Services::planPath(const Ground& ground,
                                                  const agrid_map::PlanPath::Request& request) {
   agrid_map::PlanPath::Response response = answerPlanPath(ground, request);
   if (response.status.code == Status::SUCCESS) deps_.outputs.publishPlan(response.path);
-  const SnapshotPtr newest = deps_.keeper.snapshot();
-  remarkChange(response.status, ground.snapshot, newest.get());
   return response;
 }
 
