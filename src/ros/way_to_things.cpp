@@ -60,6 +60,11 @@ std::vector<Place> placesBeside(const agrid::ObjectTag& object, const agrid::Poi
   return places;
 }
 
+agrid::PlanRequest movedTo(const agrid::Pose2& start_map, agrid::PlanRequest request) {
+  request.start.position_map = start_map.position;
+  return request;
+}
+
 /// What `ask` answers, a plan or routes, for the best place beside an object, see
 /// WayFinder::planTo.
 template <typename Ask, typename Answer = std::invoke_result_t<Ask, const agrid::PlanRequest&>>
@@ -79,19 +84,21 @@ Answer askBeside(const WayFinder& ways, const agrid::ObjectTag& object,
       answer.message = "ends beside '" + object.name + "' and faces it";
       return answer;
     }
-    if (answer.status == PlanStatus::kStartInvalid) {
-      // what may be moved is moved as it would be for a place near the object
-      const agrid::Plan plan = ways.planner.plan(near());
-      if (plan.status != PlanStatus::kSuccess || !plan.start_moved) return ask(near());
-      agrid::PlanRequest moved = base;
-      moved.start.position_map = plan.path_map.front().position;
-      answer = askBeside(ways, object, moved, ask);
-      if constexpr (std::is_same_v<Answer, agrid::Plan>) answer.start_moved = true;
-      return answer;
+    if (answer.status == PlanStatus::kStartInvalid && base.tolerance > 0) {
+      // the start may be moved, but not farther than asked for, and the place may not
+      request.tolerance = base.tolerance;
+      const agrid::Plan plan = ways.planner.plan(request);
+      if (plan.start_moved) {
+        answer = askBeside(ways, object, movedTo(plan.path_map.front(), base), ask);
+        if constexpr (std::is_same_v<Answer, agrid::Plan>) answer.start_moved = true;
+        return answer;
+      }
+      answer.status = plan.status;
+      answer.message = plan.message;
     }
-    const bool not_there = answer.status == PlanStatus::kGoalInvalid;
+    if (answer.status == PlanStatus::kStartInvalid) return answer;
     const bool no_route = answer.status == PlanStatus::kNoRoute;
-    if (!not_there && !no_route) break;
+    if (!no_route && answer.status != PlanStatus::kGoalInvalid) break;
     if (no_route && ++without_route == kMostWithoutRoute) break;
   }
   Answer answer = ask(near());

@@ -164,6 +164,16 @@ TEST_F(Answers, ARouteToAnObjectEndsWhereThePathDoes) {
       EXPECT_EQ(list.status.message, path.status.message);
       EXPECT_EQ(list.routes.at(0).areas, path.route.areas) << center.x() << ", from " << x;
     }
+    agrid_map::PlanPath::Request to_path;  // from too close to the wall
+    to_path.start = at(2.5, 1.05);
+    to_path.goal_name = "fridge";
+    EXPECT_EQ(answerPlanPath(ground_, to_path).status.code, int{Status::START_INVALID});
+    to_path.tolerance = 0.1;  // the robot's radius is 0.2 m
+    EXPECT_EQ(answerPlanPath(ground_, to_path).status.code, int{Status::START_INVALID});
+    agrid_map::PlanAreas::Request to_areas;
+    to_areas.start_pose = to_path.start;
+    to_areas.goal = "fridge";
+    EXPECT_EQ(answerPlanAreas(ground_, to_areas).status.code, int{Status::START_INVALID});
   }
 }
 
