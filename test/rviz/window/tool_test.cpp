@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QInputDialog>
 #include <QLineEdit>
+#include <cmath>
 
 #include "rviz_window.h"
 
@@ -74,6 +75,27 @@ TEST_F(Tool, ADragPutsADoorIntoThePassage) {
   const auto door = now().doors.at(0);
   EXPECT_NEAR(door.jambs[0].x, 6.5, 0.6) << "in the passage";
   EXPECT_NEAR(door.width, 1, 0.11) << "from jamb to jamb, however far the mouse went";
+}
+
+TEST_F(Tool, AClickCountsInTheFixedFrame) {
+  geometry_msgs::TransformStamped world_from_map;
+  world_from_map.header.stamp = ros::Time::now();
+  world_from_map.header.frame_id = "world";
+  world_from_map.child_frame_id = "map";
+  world_from_map.transform.translation.x = 10;
+  world_from_map.transform.rotation.z = world_from_map.transform.rotation.w = std::sqrt(0.5);
+  broadcaster_.sendTransform(world_from_map);
+  frame_->getManager()->setFixedFrame("world");
+  QTest::qWait(100);
+  key(Qt::Key_O);
+  // (2, 4) of the map, a quarter turn to the left
+  click(10 - 4, 2);
+  nameIt("plant");
+  EXPECT_TRUE(comesTrue([this] { return now().objects.size() == 1; }));
+  frame_->getManager()->setFixedFrame("map");
+  ASSERT_EQ(now().objects.size(), 1U);
+  EXPECT_NEAR(now().objects[0].pose.position.x, 2, 0.1);
+  EXPECT_NEAR(now().objects[0].pose.position.y, 4, 0.1);
 }
 
 TEST_F(Tool, AShortDragIsNoDoor) {
