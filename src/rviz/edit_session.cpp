@@ -102,7 +102,8 @@ void EditSession::finish(const QString& what, const std::vector<Change>& changes
 void EditSession::undo() {
   // behind what is still asked for, so that it takes that back
   worker_.post([this] {
-    QMetaObject::invokeMethod(this, [this] { undoLast(); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this] { undoLast(); }, Qt::QueuedConnection);
   });
 }
 

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "agrid/pipeline.h"
-#include "support/ascii_map.h"
 #include "exchange/area_colors.h"
+#include "support/ascii_map.h"
 
 namespace agrid::tools {
 namespace {
