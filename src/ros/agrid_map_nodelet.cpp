@@ -48,8 +48,9 @@ void AGridNodelet::onInit() {
                                        Hearing::Deps{*keeper_, log_, transforms_, cancelled_},
                                        parameters.hearing.grammar_file);
   services_ = std::make_unique<Services>(
-      private_nh, Services::Deps{*settings_, *keeper_, *builder_, *hearing_, *outputs_, log_,
-                                 transforms_, cancelled_});
+      private_nh,
+      Services::Deps{*settings_, *keeper_, *hearing_, *outputs_, log_, transforms_, cancelled_});
+  tuning_ = std::make_unique<Tuning>(private_nh, Tuning::Deps{*settings_, *builder_, log_});
   area_watch_ = std::make_unique<AreaWatch>(
       private_nh, AreaWatch::Deps{*keeper_, transforms_, cancelled_, log_},
       parameters.node.area_period);

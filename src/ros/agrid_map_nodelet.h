@@ -18,6 +18,7 @@
 #include "ros/place_keeper.h"
 #include "ros/services.h"
 #include "ros/settings.h"
+#include "ros/tuning.h"
 
 namespace agrid_map_ros {
 
@@ -42,6 +43,7 @@ class AGridNodelet : public nodelet::Nodelet {
   std::unique_ptr<MapBuilder> builder_;
   std::unique_ptr<Hearing> hearing_;
   std::unique_ptr<Services> services_;
+  std::unique_ptr<Tuning> tuning_;
   std::unique_ptr<AreaWatch> area_watch_;
   std::unique_ptr<Diagnostics> diagnostics_;
   std::unique_ptr<MapIntake> intake_;

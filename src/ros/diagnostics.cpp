@@ -2,8 +2,10 @@
 #include "ros/diagnostics.h"
 
 #include <chrono>
+#include <fstream>
 
 #include <diagnostic_msgs/DiagnosticArray.h>
+#include <unistd.h>
 
 #include "ros/boundary.h"
 #include "ros/text.h"
@@ -19,6 +21,15 @@ void add(DiagnosticStatus& status, const std::string& key, const std::string& va
   status.values.back().value = value;
 }
 
+/// What the whole process keeps in memory [MB], as Linux says; 0 where it does not.
+double processMemory() {
+  std::ifstream file("/proc/self/statm");
+  double size = 0;
+  double resident = 0;
+  file >> size >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
 void describe(DiagnosticStatus& status, const Snapshot& snapshot) {
   const agrid::SemanticMap& map = *snapshot.map;
   const std::chrono::duration<double> age = std::chrono::steady_clock::now() - snapshot.built;
@@ -29,6 +40,8 @@ void describe(DiagnosticStatus& status, const Snapshot& snapshot) {
   add(status, "build time [s]", formatNumber(snapshot.build_seconds));
   add(status, "cells", std::to_string(map.grid().cellCount()));
   add(status, "areas", std::to_string(map.area_map.areas.size()));
+  add(status, "unreachable areas",
+      std::to_string(agrid::unreachableAreas(map.area_map, map.graph).size()));
   add(status, "doors", std::to_string(map.area_map.doors.size()));
   add(status, "objects", std::to_string(map.knowledge.objects.size()));
   add(status, "waiting tags", std::to_string(map.knowledge.pending.size()));
@@ -69,6 +82,7 @@ DiagnosticStatus diagnose(const Findings& findings, const EventLog& log) {
     status.message = "bad parameters: " + findings.parameter_error;
   }
   if (findings.snapshot) describe(status, *findings.snapshot);
+  add(status, "process memory [MB]", formatNumber(processMemory()));
   add(status, "errors", std::to_string(log.errorCount()));
   add(status, "unexpected exceptions", std::to_string(log.caughtCount()));
   add(status, "last error", log.lastError());

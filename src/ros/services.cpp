@@ -77,7 +77,6 @@ Services::Services(const ros::NodeHandle& private_nh, const Deps& deps)
   advertiseEdit<agrid_map::SetDoor>("set_door", answerSetDoor);
   advertiseEdit<agrid_map::SaveMap>("save_map", answerSaveMap);
   advertiseEdit<agrid_map::LoadMap>("load_map", answerLoadMap);
-  servers_.push_back(question_nh_.advertiseService("rebuild", &Services::rebuild, this));
 }
 
 Services::~Services() {
@@ -166,21 +165,6 @@ nav_msgs::GetPlan::Response Services::makePlan(const Ground& ground,
   nav_msgs::GetPlan::Response response = answerMakePlan(ground, request);
   deps_.outputs.publishPlan(response.plan);
   return response;
-}
-
-bool Services::rebuild(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  const auto failure = attempt(deps_.log, "rebuild", [&] {
-    const std::string error = deps_.settings.reload();
-    if (!error.empty()) throw RequestError(Status::INVALID_REQUEST, error);
-    deps_.builder.setParameters(deps_.settings.parameters());
-    if (!deps_.builder.rebuild()) throw RequestError(Status::NO_MAP, "no map has arrived yet");
-    response.success = true;
-    response.message = "the map is being built anew";
-  });
-  if (!failure) return true;
-  response.success = false;
-  response.message = failure->message;
-  return true;
 }
 
 }  // namespace agrid_map_ros

@@ -8,13 +8,12 @@
 
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
-#include <std_srvs/Trigger.h>
 #include <tf2/buffer_core.h>
 
 #include "ros/event_log.h"
 #include "ros/hearing.h"
-#include "ros/map_builder.h"
 #include "ros/outputs.h"
+#include "ros/place_keeper.h"
 #include "ros/plan_answers.h"
 #include "ros/request_queue.h"
 #include "ros/settings.h"
@@ -29,9 +28,8 @@ class Services {
  public:
   /// All must outlive this.
   struct Deps {
-    Settings& settings;
+    const Settings& settings;
     PlaceKeeper& keeper;
-    MapBuilder& builder;
     const Hearing& hearing;
     Outputs& outputs;
     EventLog& log;
@@ -69,7 +67,6 @@ class Services {
                                          const agrid_map::PlanPath::Request& request);
   nav_msgs::GetPlan::Response makePlan(const Ground& ground,
                                        const nav_msgs::GetPlan::Request& request);
-  bool rebuild(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
   Deps deps_;
   RequestQueue::Limits plan_limits_;

@@ -4,6 +4,9 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
+
+#include <XmlRpcValue.h>
 
 #include "agrid_map_ros/parameters.h"
 #include "ros/event_log.h"
@@ -19,12 +22,19 @@ class Settings {
   /// Reads all parameters anew; takes all or, if one is bad, none.
   /// @return what is wrong; empty: they are taken
   std::string reload();
+  /// Takes all of some values beside those on the parameter server or, if anything is bad, none.
+  /// @param values  a struct
+  /// @return what is wrong; empty: they are taken
+  std::string change(const XmlRpc::XmlRpcValue& values);
 
   /// nullptr before a good set was read.
   std::shared_ptr<const Parameters> parameters() const;
   std::string error() const;  ///< of the last reload
 
  private:
+  /// All errors as one, logged; empty if there are none.
+  std::string said(const std::vector<std::string>& errors);
+
   std::string ns_;
   EventLog& log_;
   mutable std::mutex mutex_;

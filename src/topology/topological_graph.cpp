@@ -3,6 +3,8 @@
 
 #include <unordered_map>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 namespace agrid {
 
 TopologicalGraph buildGraph(const AreaMap& areas) {
@@ -21,6 +23,28 @@ TopologicalGraph buildGraph(const AreaMap& areas) {
     graph.passages[b->second].push_back({d, a->second});
   }
   return graph;
+}
+
+std::vector<std::size_t> unreachableAreas(const AreaMap& areas, const TopologicalGraph& graph) {
+  const std::size_t count = areas.areas.size();
+  boost::disjoint_sets_with_storage<> parts(count);
+  for (std::size_t a = 0; a < count; ++a) {
+    for (const Passage& passage : graph.passages[a]) {
+      if (areas.doors[passage.door].state != DoorState::kClosed) parts.union_set(a, passage.area);
+    }
+  }
+  std::vector<double> sizes(count, 0);
+  std::size_t main = 0;
+  for (std::size_t a = 0; a < count; ++a) {
+    const std::size_t part = parts.find_set(a);
+    sizes[part] += areas.areas[a].size;
+    if (sizes[part] > sizes[main]) main = part;
+  }
+  std::vector<std::size_t> apart;
+  for (std::size_t a = 0; a < count; ++a) {
+    if (parts.find_set(a) != main) apart.push_back(a);
+  }
+  return apart;
 }
 
 }  // namespace agrid

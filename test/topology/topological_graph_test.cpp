@@ -82,5 +82,21 @@ TEST(TopologicalGraph, OfThreeRoomsInARowIsAChain) {
   expectPassages(graph, 2, {{1, 1}});
 }
 
+//   10 (1 m^2) --0-- 20 (5 m^2)   30 (4 m^2) --1-- 40 (4 m^2)   50 (3 m^2) --2, closed-- 40
+TEST(TopologicalGraph, UnreachableIsWhatNoOpenDoorJoinsToTheLargestPart) {
+  AreaMap areas = areasWithIds({10, 20, 30, 40, 50});
+  const double sizes[]{1, 5, 4, 4, 3};
+  for (std::size_t i = 0; i < 5; ++i) areas.areas[i].size = sizes[i];
+  addDoor(areas, 10, 20);
+  addDoor(areas, 30, 40);
+  addDoor(areas, 50, 40);
+  areas.doors[2].state = DoorState::kClosed;
+  const auto apart = [&areas] { return unreachableAreas(areas, buildGraph(areas)); };
+  EXPECT_EQ(apart(), (std::vector<std::size_t>{0, 1, 4}));
+  areas.doors[2].state = DoorState::kOpen;
+  EXPECT_EQ(apart(), (std::vector<std::size_t>{0, 1}));
+  EXPECT_TRUE(unreachableAreas({}, {}).empty());
+}
+
 }  // namespace
 }  // namespace agrid

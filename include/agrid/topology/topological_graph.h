@@ -23,4 +23,9 @@ struct TopologicalGraph {
 /// @return one node per area; doors to the outside are no edges
 TopologicalGraph buildGraph(const AreaMap& areas);
 
+/// The areas that cannot be entered from the main part of the map: the largest set [m^2] of areas
+/// joined by doors that are not closed.
+/// @return indices into AreaMap::areas, ascending
+std::vector<std::size_t> unreachableAreas(const AreaMap& areas, const TopologicalGraph& graph);
+
 }  // namespace agrid
