@@ -114,6 +114,12 @@ class Store {
   /// @throws as fold() and the constructor
   void saveAs(const std::string& name, const StoredMap& map) const;
 
+  /// Writes a file of another kind into the same directory, whole or not at all, in place of what
+  /// has that name.
+  /// @param file  allowed as the name of a stored map, and none that its files have
+  /// @throws StorageError: kPath, kReadOnly, kIo
+  void saveBeside(const std::string& file, const std::string& bytes) const;
+
   /// What is stored under a name in the same directory; changes nothing on disk.
   /// @throws StorageError: kPath if there is nothing, kVersion, kIo
   StoreContents loadFrom(const std::string& name) const;

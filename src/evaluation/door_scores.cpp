@@ -4,8 +4,8 @@
 
 #include "agrid/evaluation/scores.h"
 #include "areas/assignment.h"
+#include "areas/room_borders.h"
 #include "evaluation/label_overlap.h"
-#include "evaluation/room_borders.h"
 
 namespace agrid {
 namespace {

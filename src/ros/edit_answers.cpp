@@ -6,6 +6,8 @@
 
 #include <ros/serialization.h>
 
+#include "agrid/exchange/export.h"
+#include "agrid/planning/way.h"
 #include "agrid/semantic_map/thing_lookup.h"
 #include "ros/request_error.h"
 #include "ros/text.h"
@@ -129,7 +131,16 @@ std::string storedName(const std::string& file) {
   const std::size_t stem = file.size() < ending.size() ? 0 : file.size() - ending.size();
   if (stem > 0 && file.compare(stem, ending.size(), ending) == 0) return file.substr(0, stem);
   throw RequestError(Status::INVALID_REQUEST,
-                     "'" + printable(file.substr(0, 64)) + "' does not end in .yaml");
+                     "'" + printable(file.substr(0, 64)) +
+                         "' does not end in .yaml, nor in the ending of another format");
+}
+
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) {
+    text += (text.empty() ? "" : "; ") + printable(sentence);
+  }
+  return text;
 }
 
 bool wanted(const agrid_map::Tag& tag, const agrid_map::ListTags::Request& request) {
@@ -220,18 +231,30 @@ agrid_map::SetDoor::Response answerSetDoor(const Ground&, PlaceKeeper& keeper,
   return response;
 }
 
-agrid_map::SaveMap::Response answerSaveMap(const Ground&, PlaceKeeper& keeper,
+agrid_map::SaveMap::Response answerSaveMap(const Ground& ground, PlaceKeeper& keeper,
                                            const agrid_map::SaveMap::Request& request) {
-  keeper.saveAs(storedName(request.name));
-  return {};
+  agrid_map::SaveMap::Response response;
+  const auto format = agrid::formatOfFile(request.name);
+  if (!format) {
+    keeper.saveAs(storedName(request.name));
+    return response;
+  }
+  agrid::checkedName(request.name);  // before the work
+  agrid::ExportParams params;
+  params.frame_id = ground.snapshot.frame();
+  params.find_way = [&](const agrid::Point2& from, const agrid::Point2& to) {
+    return agrid::wayBetween(*ground.snapshot.planner, from, to);
+  };
+  const agrid::Exported exported = agrid::exportMap(*ground.snapshot.map, *format, params);
+  keeper.saveBeside(request.name, exported.bytes);
+  response.status.message = joined(exported.warnings);
+  return response;
 }
 
 agrid_map::LoadMap::Response answerLoadMap(const Ground&, PlaceKeeper& keeper,
                                            const agrid_map::LoadMap::Request& request) {
   agrid_map::LoadMap::Response response;
-  for (const std::string& sentence : keeper.load(storedName(request.name))) {
-    response.status.message += (response.status.message.empty() ? "" : "; ") + printable(sentence);
-  }
+  response.status.message = joined(keeper.load(storedName(request.name)));
   return response;
 }
 

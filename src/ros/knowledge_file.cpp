@@ -89,6 +89,10 @@ void KnowledgeFile::saveAs(const std::string& name, const agrid::StoredMap& map)
   store_.saveAs(name, map);
 }
 
+void KnowledgeFile::saveBeside(const std::string& file, const std::string& bytes) {
+  store_.saveBeside(file, bytes);
+}
+
 agrid::StoreContents KnowledgeFile::loadFrom(const std::string& name) const {
   return store_.loadFrom(name);
 }

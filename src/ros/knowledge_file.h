@@ -43,6 +43,9 @@ class KnowledgeFile {
   /// @param name  see agrid::checkedName
   /// @throws agrid::StorageError
   void saveAs(const std::string& name, const agrid::StoredMap& map);
+  /// @param file  see agrid::Store::saveBeside
+  /// @throws agrid::StorageError
+  void saveBeside(const std::string& file, const std::string& bytes);
   agrid::StoreContents loadFrom(const std::string& name) const;
 
  private:

@@ -165,6 +165,11 @@ void PlaceKeeper::saveAs(const std::string& name) {
   file_->saveAs(name, *storedOf(*now));
 }
 
+void PlaceKeeper::saveBeside(const std::string& file, const std::string& bytes) {
+  const std::lock_guard<std::mutex> lock(commit_mutex_);
+  requireFile().saveBeside(file, bytes);
+}
+
 std::vector<std::string> PlaceKeeper::load(const std::string& name) {
   const std::lock_guard<std::mutex> lock(commit_mutex_);
   const SnapshotPtr now = requireSnapshot();

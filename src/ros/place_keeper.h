@@ -53,6 +53,9 @@ class PlaceKeeper {
   /// Stores what is known now under another name.
   /// @throws agrid::StorageError, RequestError NO_MAP, STORAGE_FAILED
   void saveAs(const std::string& name);
+  /// Writes a file of another kind beside it.
+  /// @throws agrid::StorageError, RequestError STORAGE_FAILED
+  void saveBeside(const std::string& file, const std::string& bytes);
   /// Puts what was stored under a name in place of all that is known.
   /// @return what became of it on this map, for people
   /// @throws agrid::StorageError, RequestError NO_MAP, STORAGE_FAILED

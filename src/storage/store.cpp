@@ -251,6 +251,24 @@ void Store::saveAs(const std::string& name, const StoredMap& map) const {
   Store(directory(), name).replace(map);
 }
 
+void Store::saveBeside(const std::string& file, const std::string& bytes) const {
+  state_->checkWritable();
+  for (const char* part : {".yaml", ".lock", ".journal-"}) {
+    if (checkedName(file).find(part) == std::string::npos) continue;
+    throw StorageError(StorageErrorCode::kPath,
+                       "'" + file + "': names with '" + part + "' are those of stored maps");
+  }
+  const Directory& directory = state_->directory;
+  const std::string temporary = directory.writeTemporary(state_->files.temporary_stem, bytes);
+  try {
+    directory.rename(temporary, file);
+  } catch (const StorageError&) {
+    directory.remove(temporary);
+    throw;
+  }
+  directory.sync();
+}
+
 StoreContents Store::loadFrom(const std::string& name) const {
   return readStoredMap(directory() + "/" + checkedName(name) + ".yaml");
 }

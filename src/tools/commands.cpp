@@ -12,8 +12,8 @@ namespace agrid::tools {
 namespace {
 
 std::vector<Command> allCommands() {
-  return {convertCommand(), generateCommand(), planCommand(),  evalCommand(),
-          diffCommand(),    checkCommand(),    exportCommand()};
+  return {convertCommand(), generateCommand(), planCommand(),   evalCommand(),
+          diffCommand(),    checkCommand(),    exportCommand(), importCommand()};
 }
 
 std::string toolHelp(const std::vector<Command>& commands) {

@@ -30,6 +30,7 @@ Command diffCommand();      ///< tells what differs between stored tags
 Command evalCommand();      ///< scores areas and doors against rooms drawn by people
 Command exportCommand();    ///< map -> files of other programs
 Command generateCommand();  ///< draws an office
+Command importCommand();    ///< files of other programs -> stored tags
 Command planCommand();      ///< answers start-goal pairs
 
 /// Runs the command line tool. Results go to standard output, all else to standard error.

@@ -99,4 +99,12 @@ Labels readPaintedRooms(const std::string& path, const MapGeometry& geometry) {
   return labelsOf(numbers, path);
 }
 
+Labels readAreaPicture(const std::string& path, const MapGeometry& geometry) {
+  const cv::Mat picture = readPicture(path, cv::IMREAD_UNCHANGED, geometry);
+  const bool is_grey = picture.channels() == 1;
+  const bool has_numbers =
+      is_grey && (picture.depth() != CV_8U || cv::countNonZero(picture > kLeastWhite) == 0);
+  return has_numbers ? readNumberedRooms(path, geometry) : readPaintedRooms(path, geometry);
+}
+
 }  // namespace agrid::tools

@@ -24,4 +24,8 @@ std::vector<std::uint16_t> readLocations(const std::string& path, const MapGeome
 /// 8 neighbours) is one.
 std::vector<std::uint16_t> readPaintedRooms(const std::string& path, const MapGeometry& geometry);
 
+/// A picture of areas of either kind: room numbers if it has 16 bits, or is grey without white
+/// (above 250); else painted.
+std::vector<std::uint16_t> readAreaPicture(const std::string& path, const MapGeometry& geometry);
+
 }  // namespace agrid::tools

@@ -1,66 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/truth_yaml.h"
 
-#include <cerrno>
-#include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
 
-#include <yaml-cpp/yaml.h>
-
-#include "agrid/map/map_io.h"
+#include "exchange/place_files.h"
+#include "exchange/yaml_list.h"
 
 namespace agrid::tools {
 namespace {
 
 constexpr std::size_t kMaxRooms = std::numeric_limits<std::uint16_t>::max();
 
-/// A file, for messages.
-struct YamlFile {
-  const std::string& path;
-
-  [[noreturn]] void fail(const YAML::Mark& mark, const std::string& what) const {
-    const std::string line = mark.is_null() ? "" : ":" + std::to_string(mark.line + 1);
-    throw FileError(FileErrorCode::kYaml, path + line + ": " + what);
-  }
-
-  YAML::Node list() const {
-    std::ifstream stream(path);
-    if (!stream) throw FileError(FileErrorCode::kPath, path + ": " + std::strerror(errno));
-    try {
-      YAML::Node node = YAML::Load(stream);
-      if (!node.IsSequence()) fail(node.Mark(), "is no list");
-      return node;
-    } catch (const YAML::Exception& error) {
-      fail(error.mark, error.msg);
-    }
-  }
-
-  YAML::Node entry(const YAML::Node& node, const char* key) const {
-    if (!node.IsMap()) fail(node.Mark(), std::string("is nothing with a key '") + key + "'");
-    const YAML::Node value = node[key];
-    if (!value) fail(node.Mark(), std::string("no key '") + key + "'");
-    return value;
-  }
-
-  Point2 point(const YAML::Node& node) const {
-    if (!node.IsSequence() || node.size() != 2) fail(node.Mark(), "a point is [x, y]");
-    Point2 p = Point2::Zero();
-    for (std::size_t i = 0; i < 2; ++i) {
-      double& value = p[static_cast<Eigen::Index>(i)];
-      if (!YAML::convert<double>::decode(node[i], value) || !std::isfinite(value)) {
-        fail(node.Mark(), "a point is [x, y], two finite numbers");
-      }
-    }
-    return p;
-  }
-};
-
 }  // namespace
 
 std::vector<Polygon> readRoomPolygons(const std::string& path) {
-  const YamlFile file{path};
+  const YamlFile file(path);
   std::vector<Polygon> rooms;
   for (const YAML::Node& room : file.list()) {
     const YAML::Node corners = file.entry(room, "polygon");
@@ -75,12 +29,8 @@ std::vector<Polygon> readRoomPolygons(const std::string& path) {
 }
 
 std::vector<Segment> readDoorCorners(const std::string& path) {
-  const YamlFile file{path};
   std::vector<Segment> doors;
-  for (const YAML::Node& door : file.list()) {
-    doors.push_back({file.point(file.entry(door, "door_corner_pt_1")),
-                     file.point(file.entry(door, "door_corner_pt_2"))});
-  }
+  for (const PlaceDoor& door : readPlaceDoors(path)) doors.push_back(door.jambs_map);
   return doors;
 }
 

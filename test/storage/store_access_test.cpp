@@ -104,6 +104,27 @@ TEST(Store, S11_OnlyPlainNamesAreTaken) {
   EXPECT_FALSE(fs::exists(folder / "none.lock"));
 }
 
+TEST(Store, OtherFilesLieBesideItAndNeverInItsPlace) {
+  const TemporaryFolder folder;
+  Store store(folder.path(), "office");
+  store.saveBeside("office.svg", "old");
+  store.saveBeside("office.svg", std::string("a\0b", 3));
+  EXPECT_EQ(contentsOf(folder / "office.svg"), std::string("a\0b", 3));
+  EXPECT_EQ(modeOf(folder / "office.svg"), 0600U);
+  for (const char* name : {"../a.svg", "/tmp/a.svg", ".svg", "office.yaml", "office.yaml.bak",
+                           "office.journal-1", "office.lock"}) {
+    EXPECT_EQ(codeOf([&] { store.saveBeside(name, ""); }), StorageErrorCode::kPath) << name;
+  }
+  fs::create_symlink("/dev/null", folder / "link.svg");
+  store.saveBeside("link.svg", "x");
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder / "link.svg")));
+  StoreOptions options;
+  options.read_only = true;
+  const Store reader(folder.path(), "office", options);
+  EXPECT_EQ(codeOf([&] { reader.saveBeside("b.svg", ""); }), StorageErrorCode::kReadOnly);
+  EXPECT_FALSE(fs::exists(folder / "b.svg"));
+}
+
 TEST(Store, S14_OnlyItsOwnTemporaryFilesAreRemoved) {
   const TemporaryFolder folder;
   folder.write(".office.tmp-0123456789abcdef", "left by a killed process");

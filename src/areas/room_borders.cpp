@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "evaluation/room_borders.h"
+#include "areas/room_borders.h"
 
 #include <algorithm>
 #include <utility>
