@@ -11,10 +11,10 @@
 namespace agrid {
 namespace {
 
-constexpr double kMinBorder = 0.2;  // shorter ones are no doors [m]
-constexpr double kReach = 0.5;      // between a border and what is beside it [m]
-constexpr double kStraight = 0.25;  // what a piece may leave its line by [m]
-constexpr double kOverlap = 1.5;    // of pieces that follow each other [px]
+constexpr double kMinBorder = 0.05;  // rooms leak through slits [m]
+constexpr double kReach = 0.5;       // between a border and what is beside it [m]
+constexpr double kStraight = 0.25;   // what a piece may leave its line by [m]
+constexpr double kOverlap = 1.5;     // of pieces that follow each other [px]
 
 using Points = std::vector<BorderPoint>;
 

@@ -16,7 +16,7 @@
 namespace agrid {
 namespace {
 
-constexpr int kRounds = 4;
+constexpr int kRounds = 8;           // where areas join, a border between them may need a door
 constexpr double kLeastArea = 0.25;  // smaller ones without a name are specks [m^2]
 constexpr double kGoodIou = 0.5;     // what is less alike is told
 constexpr double kPi = 3.14159265358979323846;
