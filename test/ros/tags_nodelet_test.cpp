@@ -2,9 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
 
 #include <std_msgs/String.h>
 #include <std_srvs/Trigger.h>
@@ -224,26 +221,6 @@ TEST_F(TagsNodelet, S11_MapsAreSavedAndLoadedByName) {
   for (const char* bad : {"../x.yaml", "/etc/passwd.yaml", ".x.yaml", "x.txt", "none.yaml"}) {
     load.name = save.name = bad;
     EXPECT_NE(ask<agrid_map::LoadMap>("agrid/load_map", load).status.code, Status::SUCCESS) << bad;
-  }
-}
-
-TEST_F(TagsNodelet, OtherFormatsAreSavedBesideWhatIsStored) {
-  add(tag(Tag::AREA, "kitchen", 2.5, 3.5));
-  std::string directory;
-  ASSERT_TRUE(ros::param::get("agrid/storage_dir", directory));
-  agrid_map::SaveMap::Request save;
-  for (const char* name :
-       {"a.geojson", "a.nav2.geojson", "a.graphml", "a.dot", "a.svg", "a.labels.png", "a.pl"}) {
-    save.name = name;
-    EXPECT_EQ(ask<agrid_map::SaveMap>("agrid/save_map", save).status.code, Status::SUCCESS) << name;
-    std::ifstream file(directory + "/" + name, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_EQ(bytes.find("kitchen") != std::string::npos, save.name != "a.labels.png") << name;
-    EXPECT_EQ(std::remove((directory + "/" + name).c_str()), 0) << name;
-  }
-  for (const char* bad : {"../x.svg", "/tmp/x.svg", ".svg", "a b.svg", "x.yaml.svg"}) {
-    save.name = bad;
-    EXPECT_NE(ask<agrid_map::SaveMap>("agrid/save_map", save).status.code, Status::SUCCESS) << bad;
   }
 }
 
