@@ -129,7 +129,7 @@ std::string qualityOf(const OccupancyMap& map, const agrid::AGrid& grid,
     const bool between = door.areas[0] != agrid::AreaId{0} && door.areas[1] != agrid::AreaId{0};
     if (between) doors.push_back(door.jambs_map);
   }
-  const agrid::AreaScores areas = agrid::scoreAreas(map, found.pixel_labels, truth.rooms);
+  const agrid::AreaScores areas = agrid::scoreAreas(map, found.pixel_labels.vector(), truth.rooms);
   const agrid::DoorScores at_doors = agrid::scoreDoors(doors, truth.doors_map);
   char text[160];
   std::snprintf(text, sizeof text, "%.3f | %.3f | %.3f | %.3f / %.3f | %zu | %zu", areas.iou_all,

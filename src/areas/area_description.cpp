@@ -19,6 +19,7 @@ struct Measures {
   std::size_t size_px = 0;
   Pixel anchor;
   std::int32_t squared_clearance_px = 0;
+  double clearance_sum_px = 0;
 };
 
 /// Adds the free pixels of a run of row `y`; rows come from the last to the first, the runs of a
@@ -33,6 +34,7 @@ void addPixels(const Occupancy* pixels, const std::int32_t* squared, cv::Range r
     if (pixels[x] != Occupancy::kFree) continue;
     if (size++ == 0) m.low = {std::min(m.low.x, x), y};
     last = x;
+    m.clearance_sum_px += std::sqrt(static_cast<double>(squared[x]));
     if (squared[x] <= highest) continue;
     highest = squared[x];
     anchor.x = x;
@@ -83,10 +85,10 @@ Polygon outlineOf(std::uint32_t label, const Measures& m, const MapGeometry& geo
 
 }  // namespace
 
-std::vector<Area> describeAreas(const OccupancyMap& map, const AreaLabels& labels) {
+AreaMeasures describeAreas(const OccupancyMap& map, const AreaLabels& labels) {
   const MapGeometry& geometry = map.geometry();
   const auto measures = measure(map, labels);
-  std::vector<Area> areas;
+  AreaMeasures result;
   for (std::uint32_t i = 0; i < measures.size(); ++i) {
     const AreaTag& tag = labels.tags[i];
     const Measures& m = measures[i];
@@ -101,9 +103,12 @@ std::vector<Area> describeAreas(const OccupancyMap& map, const AreaLabels& label
     area.size = static_cast<double>(m.size_px) * geometry.resolution * geometry.resolution;
     area.source = tag.source;
     area.properties = tag.properties;
-    areas.push_back(std::move(area));
+    result.areas.push_back(std::move(area));
+    const double mean_px =
+        m.size_px == 0 ? 0 : m.clearance_sum_px / static_cast<double>(m.size_px) - 0.5;
+    result.mean_clearances.push_back(std::max(mean_px, 0.0) * geometry.resolution);
   }
-  return areas;
+  return result;
 }
 
 }  // namespace agrid

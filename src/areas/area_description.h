@@ -9,7 +9,13 @@
 
 namespace agrid {
 
-/// Measures each labelled area on the metric map as it is, clutter and all: anchor, outline, size.
-std::vector<Area> describeAreas(const OccupancyMap& map, const AreaLabels& labels);
+/// What is measured of areas on the metric map as it is, clutter and all.
+struct AreaMeasures {
+  std::vector<Area> areas;              ///< with anchor, outline and size
+  std::vector<double> mean_clearances;  ///< of their free pixels, from what is not free [m]
+};
+
+/// Measures each labelled area.
+AreaMeasures describeAreas(const OccupancyMap& map, const AreaLabels& labels);
 
 }  // namespace agrid

@@ -53,27 +53,28 @@ AreaLabels bringToMap(const OccupancyMap& map, const AlignedView& view, AreaLabe
   return on_map;
 }
 
-AreaMap describe(const OccupancyMap& map, const AGrid& grid, const AlignedView& view,
-                 const Relief& relief, AreaLabels on_view, const AreaParams& params) {
+TaggedAreas describe(const OccupancyMap& map, const AGrid& grid, const AlignedView& view,
+                     const Relief& relief, AreaLabels on_view, const AreaParams& params) {
   const AreaLabels on_map = view.isMapItself() ? AreaLabels{} : bringToMap(map, view, on_view);
   const AreaLabels& labels = view.isMapItself() ? on_view : on_map;
-  AreaMap result;
+  TaggedAreas tagged;
+  AreaMap& result = tagged.area_map;
   result.warnings = relief.warnings;
   result.warnings.insert(result.warnings.end(), labels.warnings.begin(), labels.warnings.end());
-  result.areas = describeAreas(map, labels);
+  AreaMeasures measures = describeAreas(map, labels);
+  result.areas = std::move(measures.areas);
+  tagged.mean_clearances = std::move(measures.mean_clearances);
   if (result.areas.empty()) result.warnings.push_back(whyThereAreNoAreas(map, relief));
   result.doors = findDoors(on_view, relief, view.geometry(), params, result.warnings);
   guessCategories(on_view, relief, view.geometry().resolution, result.doors, result.areas);
   for (Door& door : result.doors) door.cells = cellsOnSegment(grid, door.jambs_map);
   result.pixel_labels = labelsOnFreePixels(map, labels);
   result.cell_areas = labelCells(grid, map.geometry(), result.pixel_labels, result.areas);
-  return result;
+  return tagged;
 }
 
-}  // namespace
-
-AreaMap segmentAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& tags,
-                     const AreaParams& params) {
+TaggedAreas segment(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& tags,
+                    const AreaParams& params) {
   validate(params);
   const AlignedView view(map, params, grid.mapFromGrid().yaw);
   const std::vector<Tag> on_view = view.tagsOnView(tags);
@@ -83,14 +84,22 @@ AreaMap segmentAreas(const OccupancyMap& map, const AGrid& grid, const std::vect
   return describe(map, grid, view, relief, std::move(labels), params);
 }
 
+}  // namespace
+
+AreaMap segmentAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& tags,
+                     const AreaParams& params) {
+  return segment(map, grid, tags, params).area_map;
+}
+
 TaggedAreas findAreas(const OccupancyMap& map, const AGrid& grid, const std::vector<Tag>& given,
                       const AreaParams& params) {
   TaggedAreas result;
   result.tags = given;
   if (params.method == AreaMethod::kPaper) {  // its doors change the relief
     for (Tag& tag : proposeTags(map, given, params)) result.tags.push_back(std::move(tag));
-    result.area_map = segmentAreas(map, grid, result.tags, params);
-    return result;
+    TaggedAreas segmented = segment(map, grid, result.tags, params);
+    segmented.tags = std::move(result.tags);
+    return segmented;
   }
   validate(params);
   const AlignedView view(map, params, grid.mapFromGrid().yaw);
@@ -102,8 +111,9 @@ TaggedAreas findAreas(const OccupancyMap& map, const AGrid& grid, const std::vec
   on_view.insert(on_view.end(), result.tags.begin() + static_cast<std::ptrdiff_t>(given.size()),
                  result.tags.end());
   AreaLabels labels = growAreas(view.map(), relief, std::move(division), on_view, params);
-  result.area_map = describe(map, grid, view, relief, std::move(labels), params);
-  return result;
+  TaggedAreas described = describe(map, grid, view, relief, std::move(labels), params);
+  described.tags = std::move(result.tags);
+  return described;
 }
 
 }  // namespace agrid

@@ -64,15 +64,17 @@ DoorTag tagOf(const Door& door) {
 std::optional<DoorFit> fitOf(const DoorTag& tag, const Door& door, double resolution) {
   const double reach = std::max(kSamePlace, 2 * resolution);
   const Segment& jambs = door.jambs_map;
-  if (!leadSameWay(tag.pose_map.yaw, poseOf(door).yaw)) return std::nullopt;
   const double from_middle = (jambs.midpoint() - tag.pose_map.position).norm();
-  if (from_middle <= reach) return DoorFit{false, from_middle};
-  const Point2 along = jambs.b - jambs.a;
-  const double share = (tag.pose_map.position - jambs.a).dot(along) / along.squaredNorm();
-  if (!(share >= 0 && share <= 1)) return std::nullopt;
-  const Point2 foot = jambs.a + along * share;
-  if ((foot - tag.pose_map.position).norm() > reach) return std::nullopt;
-  return DoorFit{true, from_middle};
+  if (from_middle > reach) {
+    const Point2 along = jambs.b - jambs.a;
+    const double share = (tag.pose_map.position - jambs.a).dot(along) / along.squaredNorm();
+    if (!(share >= 0 && share <= 1)) return std::nullopt;
+    const Point2 foot = jambs.a + along * share;
+    if ((foot - tag.pose_map.position).norm() > reach) return std::nullopt;
+  }
+  // last, for it costs most and few doors are near
+  if (!leadSameWay(tag.pose_map.yaw, poseOf(door).yaw)) return std::nullopt;
+  return DoorFit{from_middle > reach, from_middle};
 }
 
 std::vector<std::optional<std::size_t>> doorsMeant(const std::vector<const DoorTag*>& tags,
@@ -131,8 +133,7 @@ std::array<std::uint16_t, 2> DoorSides::beside(const Segment& jambs_map) const {
   return result;
 }
 
-std::vector<DoorStretch> DoorSides::along(const Segment& jambs_map,
-                                          const std::vector<std::uint16_t>& automatic,
+std::vector<DoorStretch> DoorSides::along(const Segment& jambs_map, const PixelLabels& automatic,
                                           const std::array<std::uint16_t, 2>& sides) const {
   const Samples samples = samplesOf(jambs_map, geometry_);
   const int reach = static_cast<int>(kReach / geometry_.resolution);

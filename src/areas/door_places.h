@@ -42,7 +42,7 @@ struct DoorStretch {
 /// The labels on both sides of doors.
 class DoorSides {
  public:
-  DoorSides(const MapGeometry& geometry, const std::vector<std::uint16_t>& labels)
+  DoorSides(const MapGeometry& geometry, const PixelLabels& labels)
       : geometry_(geometry), labels_(labels) {}
 
   /// What most points of a door have behind and before them, up to a metre away.
@@ -51,13 +51,12 @@ class DoorSides {
   /// A border between two automatic areas, in as many stretches as there are pairs of areas now.
   /// @param automatic  row-major labels of the automatic areas
   /// @param sides  labels of the two that it lies between
-  std::vector<DoorStretch> along(const Segment& jambs_map,
-                                 const std::vector<std::uint16_t>& automatic,
+  std::vector<DoorStretch> along(const Segment& jambs_map, const PixelLabels& automatic,
                                  const std::array<std::uint16_t, 2>& sides) const;
 
  private:
   const MapGeometry& geometry_;
-  const std::vector<std::uint16_t>& labels_;
+  const PixelLabels& labels_;
 };
 
 }  // namespace agrid

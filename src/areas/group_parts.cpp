@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <unordered_set>
 
 #include <opencv2/imgproc.hpp>
 
 #include "areas/area_description.h"
 #include "areas/area_labels.h"
 #include "areas/category_guess.h"
-#include "map/squared_distance.h"
+#include "areas/joined_area.h"
 #include "tags/door_barrier.h"
 #include "tags/pixel_neighbours.h"
 
@@ -63,15 +63,12 @@ Shape shapeOfMembers(const AreaGroup& group, const MapGeometry& geometry,
   }
   Shape shape;
   shape.window = withMargin(box, clearance, geometry);
-  shape.mask.create(shape.window.size());
-  std::vector<std::uint8_t> is_member(static_cast<std::size_t>(group.members.back()) + 1, 0);
-  for (const std::uint16_t label : group.members) is_member[label] = 1;
-  for (int y = 0; y < shape.window.height; ++y) {
-    const std::uint16_t* row = automatic.area_map.pixel_labels.data() +
-                               geometry.index({shape.window.x, shape.window.y + y});
-    std::transform(row, row + shape.window.width, shape.mask[y], [&](std::uint16_t label) {
-      return label < is_member.size() ? is_member[label] : std::uint8_t{0};
-    });
+  shape.mask = cv::Mat1b(shape.window.size(), std::uint8_t{0});
+  for (const std::uint16_t label : group.members) {
+    for (const PixelRun& run : automatic.runs[label - 1U]) {
+      std::uint8_t* row = shape.mask[run.y - shape.window.y] - shape.window.x;
+      std::fill(row + run.begin, row + run.end, std::uint8_t{1});
+    }
   }
   return shape;
 }
@@ -183,18 +180,6 @@ cv::Mat1i cutAt(const std::vector<Barrier>& barriers, const cv::Mat1b& mask, dou
   return part_of;
 }
 
-double meanClearance(const std::vector<std::int32_t>& squared, const cv::Mat1i& part_of, int part,
-                     double resolution) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < squared.size(); ++i) {
-    if (part_of.ptr<int>()[i] != part) continue;
-    sum += std::sqrt(static_cast<double>(squared[i]));
-    ++count;
-  }
-  return count == 0 ? 0 : std::max(sum / static_cast<double>(count) - 0.5, 0.0) * resolution;
-}
-
 /// The parts as areas; how many doors they have is not known here.
 std::vector<Area> describe(const OccupancyMap& window, const cv::Mat1i& part_of, int parts) {
   AreaLabels labels;
@@ -203,30 +188,25 @@ std::vector<Area> describe(const OccupancyMap& window, const cv::Mat1i& part_of,
   for (const int part : part_of) {
     labels.of_pixel.push_back(part == 0 ? AreaLabels::kNone : static_cast<std::uint32_t>(part - 1));
   }
-  std::vector<Area> areas = describeAreas(window, labels);
-  std::vector<std::uint8_t> walls;
-  for (const Occupancy pixel : window.pixels()) walls.push_back(pixel != Occupancy::kFree);
-  const auto squared = squaredDistances(window.geometry(), walls);
-  for (int part = 1; part <= parts; ++part) {
-    Area& area = areas[static_cast<std::size_t>(part - 1)];
-    const double mean = meanClearance(squared, part_of, part, window.geometry().resolution);
-    area.category_guess = guessCategory({area.size, mean, area.anchor_clearance, 0});
+  AreaMeasures measures = describeAreas(window, labels);
+  for (std::size_t i = 0; i < measures.areas.size(); ++i) {
+    Area& area = measures.areas[i];
+    area.category_guess =
+        guessCategory({area.size, measures.mean_clearances[i], area.anchor_clearance, 0});
   }
-  return areas;
+  return std::move(measures.areas);
 }
 
 }  // namespace
 
 std::vector<std::size_t> islandAt(Pixel seed, const OccupancyMap& map, const PixelLabels& labels) {
   const MapGeometry& geometry = map.geometry();
-  std::vector<bool> seen(geometry.pixelCount(), false);
+  std::unordered_set<std::size_t> seen;
   std::vector<std::size_t> island;
   const auto visit = [&](Pixel p) {
     if (!geometry.contains(p) || !map.isFree(p)) return;
     const std::size_t i = geometry.index(p);
-    if (labels[i] != 0 || seen[i]) return;
-    seen[i] = true;
-    island.push_back(i);
+    if (labels[i] == 0 && seen.insert(i).second) island.push_back(i);
   };
   visit(seed);
   for (std::size_t next = 0; next < island.size(); ++next) {
@@ -237,6 +217,8 @@ std::vector<std::size_t> islandAt(Pixel seed, const OccupancyMap& map, const Pix
 
 GroupParts partsOf(const AreaGroup& group, const OccupancyMap& map,
                    const AutomaticAreas& automatic) {
+  if (!group.members.empty() && group.doors.empty())
+    return {{}, {}, {joinedArea(group.members, automatic, map.geometry())}, {}};
   const Shape shape = group.members.empty() ? shapeOfIsland(group, map, automatic)
                                             : shapeOfMembers(group, map.geometry(), automatic);
   const cv::Mat1b& mask = shape.mask;

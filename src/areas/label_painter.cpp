@@ -2,103 +2,128 @@
 #include "areas/label_painter.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "tags/pixel_runs.h"
 
 namespace agrid {
 namespace {
 
-std::size_t indexOf(const AreaMap& areas, AreaId id) {
-  const auto found = std::lower_bound(areas.areas.begin(), areas.areas.end(), id,
-                                      [](const Area& area, AreaId i) { return area.id < i; });
-  return static_cast<std::size_t>(found - areas.areas.begin());
-}
+constexpr std::size_t kMaxSlots = std::numeric_limits<std::uint16_t>::max() + std::size_t{1};
+
+/// The part of a group that its slots begin with.
+std::size_t firstPaintedPart(const AreaGroup& group) { return group.members.empty() ? 0 : 1; }
 
 }  // namespace
 
-LabelPainter::LabelPainter(const MapGeometry& geometry, const AutomaticAreas& automatic,
+LabelPainter::LabelPainter(const OccupancyMap& map, const AutomaticAreas& automatic,
                            const FormerTags* former, const std::vector<Area>& areas)
-    : geometry_(geometry),
+    : map_(map),
       automatic_(automatic),
       former_(former),
-      base_(former ? former->area_map : automatic.area_map) {
+      slots_((former ? former->area_map : automatic.area_map).pixel_labels.slots()) {
   for (std::size_t i = 0; i < areas.size(); ++i) {
     label_of_.emplace(static_cast<std::uint32_t>(areas[i].id), static_cast<std::uint16_t>(i + 1));
   }
 }
 
-PixelLabels LabelPainter::paint(const LaidGroups& laid, const SeatedTags& tags) const {
-  const std::vector<std::uint16_t> new_label = newLabels(laid, tags);
-  bool same = true;
-  for (std::size_t i = 0; i < new_label.size(); ++i) same = same && new_label[i] == i;
-  const bool painted = std::any_of(laid.groups().begin(), laid.groups().end(),
-                                   [this](const LaidGroup& group) { return isPainted(group); });
-  if (same && !painted) return base_.pixel_labels;
-  std::vector<std::uint16_t> labels = base_.pixel_labels;
-  if (!same) {
-    std::transform(labels.begin(), labels.end(), labels.begin(),
-                   [&](std::uint16_t label) { return new_label[label]; });
-  }
+PixelLabels LabelPainter::paint(LaidGroups& laid, const SeatedTags& tags) {
+  if (former_) paintBack(laid);
+  takeSlots(laid);
+  label_of_slot_.assign(automatic_.area_map.areas.size() + 1, PixelLabels::kUnused);
+  label_of_slot_.front() = 0;
   for (std::size_t g = 0; g < tags.size(); ++g) {
-    const LaidGroup& group = laid.groups()[g];
-    if (!isPainted(group)) continue;
-    if (group.parts) {
-      paintParts(*group.parts, tags[g], labels);
-    } else {
-      paintAutomatic(group.group.members.front(), labelOf(tags[g].front()), labels);
+    LaidGroup& group = laid.groups()[g];
+    if (group.parts) paintParts(group);
+    for (const std::uint16_t label : group.group.members) set(label, tags[g].front());
+    const std::size_t first = firstPaintedPart(group.group);
+    for (std::size_t k = 0; k < group.group.slots.size(); ++k) {
+      set(group.group.slots[k], tags[g][first + k]);
     }
   }
-  return labels;
+  const PixelLabels& base = (former_ ? former_->area_map : automatic_.area_map).pixel_labels;
+  if (!painted_ && label_of_slot_ == base.labelOfSlot()) return base;
+  return {std::move(slots_), std::move(label_of_slot_)};
 }
 
-bool LabelPainter::isPainted(const LaidGroup& group) const {
-  return group.parts || (former_ && group.isAutomatic());
+void LabelPainter::set(std::uint16_t slot, const AreaTag& tag) {
+  if (slot >= label_of_slot_.size()) label_of_slot_.resize(slot + 1U, PixelLabels::kUnused);
+  label_of_slot_[slot] = label_of_.at(static_cast<std::uint32_t>(tag.id));
 }
 
-std::vector<std::uint16_t> LabelPainter::newLabels(const LaidGroups& laid,
-                                                   const SeatedTags& tags) const {
-  std::vector<std::uint16_t> new_label(base_.areas.size() + 1);
-  std::iota(new_label.begin(), new_label.end(), std::uint16_t{0});
-  for (const AreaGroup& group : former_ ? former_->groups : std::vector<AreaGroup>()) {
-    if (!group.members.empty()) continue;  // what no group takes over has no area
-    for (const AreaId id : group.areas) new_label[indexOf(base_, id) + 1] = 0;
+/// What was painted of groups that are parted otherwise now, or no more.
+void LabelPainter::paintBack(const LaidGroups& laid) {
+  std::set<const AreaGroup*> kept;
+  for (const LaidGroup& group : laid.groups()) kept.insert(group.former);
+  for (const AreaGroup& group : former_->groups) {
+    if (!group.slots.empty() && kept.count(&group) == 0) paintBack(group);
   }
-  for (std::size_t g = 0; g < tags.size(); ++g) {
-    const LaidGroup& group = laid.groups()[g];
-    if (isPainted(group)) continue;
-    for (std::size_t part = 0; part < tags[g].size(); ++part) {
-      const std::size_t label =
-          former_ ? indexOf(base_, group.former->areas[part]) + 1 : group.group.members.front();
-      new_label[label] = labelOf(tags[g][part]);
+}
+
+void LabelPainter::paintBack(const AreaGroup& group) {
+  std::vector<bool> is_painted(kMaxSlots, false);
+  for (const std::uint16_t slot : group.slots) is_painted[slot] = true;
+  painted_ = true;
+  for (const std::uint16_t label : group.members) {
+    for (const PixelRun& run : automatic_.runs[label - 1U]) {
+      paintBackRow(run.y, {run.begin, run.end}, is_painted);
     }
   }
-  return new_label;
+  if (!group.members.empty()) return;
+  const auto seed = map_.geometry().pixelAt(group.seed_map);
+  for (const std::size_t i : islandAt(seed.value(), map_, automatic_.area_map.pixel_labels)) {
+    slots_.edit(i) = 0;
+  }
 }
 
-std::uint16_t LabelPainter::labelOf(const AreaTag& tag) const {
-  return label_of_.at(static_cast<std::uint32_t>(tag.id));
+void LabelPainter::paintBackRow(int y, const cv::Range& columns,
+                                const std::vector<bool>& is_painted) {
+  const PixelLabels::Slots& automatic = automatic_.area_map.pixel_labels.slots();
+  for (int x = columns.start; x < columns.end; ++x) {
+    const std::size_t i = map_.geometry().index({x, y});
+    if (is_painted[slots_[i]]) slots_.edit(i) = automatic[i];
+  }
 }
 
-void LabelPainter::paintParts(const GroupParts& parts, const std::vector<AreaTag>& tags,
-                              std::vector<std::uint16_t>& labels) const {
-  std::vector<std::uint16_t> label_of_part{0};
-  for (const AreaTag& tag : tags) label_of_part.push_back(labelOf(tag));
+void LabelPainter::takeSlots(const LaidGroups& laid) {
+  is_taken_.assign(automatic_.area_map.areas.size() + 1, true);
+  for (const LaidGroup& group : laid.groups()) {
+    for (const std::uint16_t slot : group.group.slots) {
+      if (slot >= is_taken_.size()) is_taken_.resize(slot + 1U, false);
+      is_taken_[slot] = true;
+    }
+  }
+}
+
+std::uint16_t LabelPainter::freeSlot() {
+  const auto found = std::find(is_taken_.begin(), is_taken_.end(), false);
+  const auto slot = static_cast<std::size_t>(found - is_taken_.begin());
+  if (slot == kMaxSlots) throw std::invalid_argument("doors part the map into too many areas");
+  if (found == is_taken_.end()) is_taken_.push_back(false);
+  is_taken_[slot] = true;
+  return static_cast<std::uint16_t>(slot);
+}
+
+void LabelPainter::paintParts(LaidGroup& group) {
+  const GroupParts& parts = *group.parts;
+  if (parts.part_of.empty()) return;
+  const std::size_t first = firstPaintedPart(group.group);
+  for (std::size_t k = first; k < parts.parts.size(); ++k) {
+    group.group.slots.push_back(freeSlot());
+  }
+  if (group.group.slots.empty()) return;
+  painted_ = true;
   for (int y = 0; y < parts.window.height; ++y) {
-    std::uint16_t* row = &labels[geometry_.index({parts.window.x, parts.window.y + y})];
-    for (int x = 0; x < parts.window.width; ++x) {
-      const int part = parts.part_of(y, x);
-      if (part != 0) row[x] = label_of_part[static_cast<std::size_t>(part)];
-    }
-  }
-}
-
-void LabelPainter::paintAutomatic(std::uint16_t automatic_label, std::uint16_t label,
-                                  std::vector<std::uint16_t>& labels) const {
-  const cv::Rect& box = automatic_.boxes[automatic_label - 1U];
-  for (int y = box.y; y < box.br().y; ++y) {
-    for (int x = box.x; x < box.br().x; ++x) {
-      const std::size_t i = geometry_.index({x, y});
-      if (automatic_.area_map.pixel_labels[i] == automatic_label) labels[i] = label;
-    }
+    const std::size_t row = map_.geometry().index({parts.window.x, parts.window.y + y});
+    forEachRun(parts.part_of[y], parts.window.width, [&](int begin, int end, int part) {
+      const std::size_t k = static_cast<std::size_t>(part) - 1;
+      if (part == 0 || k < first) return;
+      slots_.assign(row + static_cast<std::size_t>(begin),
+                    std::vector<std::uint16_t>(static_cast<std::size_t>(end - begin),
+                                               group.group.slots[k - first]));
+    });
   }
 }
 

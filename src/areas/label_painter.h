@@ -12,33 +12,38 @@ namespace agrid {
 /// Tags of the parts of each group.
 using SeatedTags = std::vector<std::vector<AreaTag>>;
 
-/// Labels of the areas from labels of before.
+/// Labels of the areas from labels of before. An automatic area's pixels hold its label as their
+/// slot; those of a group's smaller parts hold slots of their own, and so do those of islands. So
+/// only what doors part is painted: the table of slots does the rest.
 class LabelPainter {
  public:
   /// @param former  nullptr: before are the automatic areas
   /// @param areas  whose labels are wanted, sorted by id
-  LabelPainter(const MapGeometry& geometry, const AutomaticAreas& automatic,
-               const FormerTags* former, const std::vector<Area>& areas);
+  LabelPainter(const OccupancyMap& map, const AutomaticAreas& automatic, const FormerTags* former,
+               const std::vector<Area>& areas);
 
-  /// The labels after all that changed is painted over; the same ones if nothing did.
-  PixelLabels paint(const LaidGroups& laid, const SeatedTags& tags) const;
+  /// The labels after all that changed is painted over; the same ones if nothing did. Sets the
+  /// groups' slots.
+  /// @throws std::invalid_argument if there are more parts than slots
+  PixelLabels paint(LaidGroups& laid, const SeatedTags& tags);
 
  private:
-  /// Whether a group's pixels are painted anew.
-  bool isPainted(const LaidGroup& group) const;
-  /// What becomes of the labels of before; those of pixels that are painted anew stay.
-  std::vector<std::uint16_t> newLabels(const LaidGroups& laid, const SeatedTags& tags) const;
-  std::uint16_t labelOf(const AreaTag& tag) const;
-  void paintParts(const GroupParts& parts, const std::vector<AreaTag>& tags,
-                  std::vector<std::uint16_t>& labels) const;
-  void paintAutomatic(std::uint16_t automatic_label, std::uint16_t label,
-                      std::vector<std::uint16_t>& labels) const;
+  void paintBack(const LaidGroups& laid);
+  void paintBack(const AreaGroup& group);
+  void paintBackRow(int y, const cv::Range& columns, const std::vector<bool>& is_painted);
+  void takeSlots(const LaidGroups& laid);
+  std::uint16_t freeSlot();
+  void paintParts(LaidGroup& group);
+  void set(std::uint16_t slot, const AreaTag& tag);
 
-  const MapGeometry& geometry_;
+  const OccupancyMap& map_;
   const AutomaticAreas& automatic_;
   const FormerTags* former_;
-  const AreaMap& base_;
   std::unordered_map<std::uint32_t, std::uint16_t> label_of_;
+  PixelLabels::Slots slots_;
+  std::vector<std::int32_t> label_of_slot_;
+  std::vector<bool> is_taken_;
+  bool painted_ = false;
 };
 
 }  // namespace agrid

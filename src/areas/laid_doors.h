@@ -10,9 +10,9 @@ namespace agrid {
 
 /// The areas after all tags were laid, for what is said of their doors.
 struct LaidAreas {
-  const std::vector<Area>& areas;                  ///< sorted by id
-  const std::vector<std::uint16_t>& pixel_labels;  ///< k = areas[k - 1]
-  const std::vector<AreaGroup>& groups;            ///< with the areas of their parts
+  const std::vector<Area>& areas;        ///< sorted by id
+  const PixelLabels& pixel_labels;       ///< k = areas[k - 1]
+  const std::vector<AreaGroup>& groups;  ///< with the areas of their parts
 };
 
 /// The doors between the areas, with what `known` says of them; its door tags become those of the

@@ -47,6 +47,7 @@ LaidGroups::LaidGroups(const OccupancyMap& map, const AutomaticAreas& automatic,
     if (!group.members.empty() && same != before.end() && partedAlike(**same, group)) {
       laid.former = *same;
       laid.group.jambs_map = laid.former->jambs_map;
+      laid.group.slots = laid.former->slots;
       laid.seats.resize(laid.former->areas.size());
     } else if (isOneAutomaticArea(group)) {
       laid.seats.resize(1);
@@ -95,7 +96,7 @@ std::optional<LaidGroups::Place> LaidGroups::placeOf(const Point2& seed_map) con
 }
 
 std::optional<std::size_t> LaidGroups::partAt(const LaidGroup& group, Pixel pixel) const {
-  if (group.isAutomatic()) return 0;
+  if (group.isAutomatic() || (group.parts && group.parts->part_of.empty())) return 0;
   if (group.parts) {
     const cv::Point p(pixel.x, pixel.y);
     if (!group.parts->window.contains(p)) return std::nullopt;

@@ -30,6 +30,7 @@ class LaidGroups {
              const FormerTags* former);
 
   const std::vector<LaidGroup>& groups() const { return groups_; }
+  std::vector<LaidGroup>& groups() { return groups_; }
 
   /// Offers tags the parts that hold their seeds: given ones first, then the lower id.
   void seat(const std::vector<AreaTag>& tags);

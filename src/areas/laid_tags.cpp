@@ -9,8 +9,8 @@
 
 #include "agrid/areas/area_cost.h"
 #include "areas/area_groups.h"
-#include "areas/cell_labels.h"
 #include "areas/label_painter.h"
+#include "areas/laid_cells.h"
 #include "areas/laid_doors.h"
 #include "areas/laid_groups.h"
 #include "tags/default_name.h"
@@ -105,35 +105,6 @@ std::vector<AreaGroup> groupsWithAreas(const LaidGroups& laid, const SeatedTags&
   return groups;
 }
 
-/// Boxes of pixels outside of which every pixel is in the same area as before.
-std::vector<cv::Rect> changedBoxes(const LaidGroups& laid, const SeatedTags& tags,
-                                   const OccupancyMap& map, const AutomaticAreas& automatic,
-                                   const FormerTags* former) {
-  std::vector<cv::Rect> boxes;
-  for (std::size_t g = 0; g < tags.size(); ++g) {
-    const LaidGroup& group = laid.groups()[g];
-    bool same = group.former != nullptr || (!former && group.isAutomatic());
-    for (std::size_t part = 0; same && part < tags[g].size(); ++part) {
-      same = tags[g][part].id == laid.shapeOf(group, part).id;
-    }
-    if (same) continue;
-    if (group.group.members.empty()) boxes.push_back(group.parts->window);
-    for (const std::uint16_t label : group.group.members) {
-      boxes.push_back(automatic.boxes[label - 1U]);
-    }
-  }
-  if (!former) return boxes;
-  for (const AreaGroup& group : former->groups) {
-    if (!group.members.empty()) continue;
-    const auto seed = map.geometry().pixelAt(group.seed_map);
-    for (const std::size_t i : islandAt(seed.value(), map, automatic.area_map.pixel_labels)) {
-      const Pixel p = map.geometry().pixel(i);
-      boxes.emplace_back(p.x, p.y, 1, 1);
-    }
-  }
-  return boxes;
-}
-
 }  // namespace
 
 LaidTags layTags(const OccupancyMap& map, const AGrid& grid, const AutomaticAreas& automatic,
@@ -149,14 +120,11 @@ LaidTags layTags(const OccupancyMap& map, const AGrid& grid, const AutomaticArea
   for (std::string& warning : costWarnings(area_map.areas)) {
     area_map.warnings.push_back(std::move(warning));
   }
-  area_map.pixel_labels =
-      LabelPainter(map.geometry(), automatic, former, area_map.areas).paint(laid, tags);
+  area_map.pixel_labels = LabelPainter(map, automatic, former, area_map.areas).paint(laid, tags);
   result.groups = groupsWithAreas(laid, tags);
   const LaidAreas areas{area_map.areas, area_map.pixel_labels, result.groups};
   area_map.doors = layDoors(map, grid, automatic, grouping, areas, known);
-  area_map.cell_areas = former ? former->area_map.cell_areas : automatic.area_map.cell_areas;
-  relabelCells(grid, map.geometry(), area_map.pixel_labels, area_map.areas,
-               changedBoxes(laid, tags, map, automatic, former), area_map.cell_areas);
+  area_map.cell_areas = LaidCells(map, grid, automatic, former).label(laid, tags, area_map);
   result.knowledge = std::move(known);
   return result;
 }

@@ -34,13 +34,11 @@ cv::Point largestPart(const std::vector<PixelRun>& runs) {
 
 /// Walks around one 4-connected part of a shape with the part on the left, from corner to corner.
 /// Other parts are never entered: they touch it by corners at most, where the walk turns left.
-std::vector<cv::Point> traceCorners(const cv::Mat1b& shape, const cv::Point& lowest) {
+std::vector<cv::Point> traceCorners(const IsInside& inside, const cv::Point& lowest) {
   static const std::array<cv::Point, 4> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   // pixel ahead on the left of a vertex, for each heading; the one on the right is the next
   // heading's
   static const std::array<cv::Point, 4> kLeft{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
-  const cv::Rect bounds(0, 0, shape.cols, shape.rows);
-  const auto inside = [&](const cv::Point& p) { return bounds.contains(p) && shape(p) != 0; };
   std::vector<cv::Point> corners;
   cv::Point vertex = lowest;
   std::size_t heading = 0;
@@ -61,9 +59,14 @@ std::vector<cv::Point> traceCorners(const cv::Mat1b& shape, const cv::Point& low
 }  // namespace
 
 Polygon traceOutline(const cv::Mat1b& shape) {
-  const std::vector<PixelRun> runs = findRuns(shape, 1);
+  const cv::Rect bounds(0, 0, shape.cols, shape.rows);
+  return traceOutline(findRuns(shape, 1),
+                      [&](const cv::Point& p) { return bounds.contains(p) && shape(p) != 0; });
+}
+
+Polygon traceOutline(const std::vector<PixelRun>& runs, const IsInside& inside) {
   if (runs.empty()) return {};
-  const std::vector<cv::Point> corners = traceCorners(shape, largestPart(runs));
+  const std::vector<cv::Point> corners = traceCorners(inside, largestPart(runs));
   std::vector<cv::Point> simplified;
   cv::approxPolyDP(corners, simplified, kTolerancePx, true);
   // a shape as thin as the tolerance would collapse

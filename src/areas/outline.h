@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include <opencv2/core/mat.hpp>
 
 #include "agrid/geometry/polygon.h"
+#include "tags/pixel_runs.h"
 
 namespace agrid {
 
@@ -13,5 +17,12 @@ namespace agrid {
 /// @return corners in pixels, counter-clockwise, pixel (x, y) covering [x, x + 1) x [y, y + 1);
 ///         empty if the shape is
 Polygon traceOutline(const cv::Mat1b& shape);
+
+/// Whether a pixel, perhaps outside of the map, belongs to a shape.
+using IsInside = std::function<bool(const cv::Point&)>;
+
+/// The same of a shape that is no image.
+/// @param runs  all of the shape, as findRuns returns them
+Polygon traceOutline(const std::vector<PixelRun>& runs, const IsInside& inside);
 
 }  // namespace agrid

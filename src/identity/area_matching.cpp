@@ -35,7 +35,7 @@ class Matcher {
         fresh_(fresh),
         geometry_(geometry),
         params_(params),
-        overlap_(placesOf(claims), geometry, fresh.pixel_labels, fresh.areas.size()) {}
+        overlap_(placesOf(claims), geometry, fresh.pixel_labels.vector(), fresh.areas.size()) {}
 
   AreaMatches match() const {
     AreaMatches matches{std::vector<std::optional<std::size_t>>(fresh_.areas.size()),

@@ -7,7 +7,7 @@
 
 #include "agrid/map/map_geometry.h"
 #include "planning/fine_point.h"
-#include "planning/paged_array.h"
+#include "agrid/map/paged_array.h"
 
 namespace agrid::planning {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planning/free_space.h"
-#include "planning/paged_array.h"
+#include "agrid/map/paged_array.h"
 #include "planning/portal_runs.h"
 #include "planning/stop.h"
 #include "tags/disjoint_sets.h"

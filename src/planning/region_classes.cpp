@@ -29,10 +29,11 @@ RegionClasses::RegionClasses(const MapGeometry& geometry, const PixelLabels& pix
 }
 
 void RegionClasses::findBoxes() {
-  const std::vector<std::uint16_t>& labels = labels_;
-  std::size_t i = 0;
+  std::vector<std::uint16_t> labels;
   for (int y = 0; y < geometry_.height; ++y) {
-    for (int x = 0; x < geometry_.width; ++x, ++i) {
+    labels_.copy(geometry_.index({0, y}), static_cast<std::size_t>(geometry_.width), labels);
+    for (int x = 0; x < geometry_.width; ++x) {
+      const auto i = static_cast<std::size_t>(x);
       if (x != 0 && x % kBlock != 0 && labels[i] == labels[i - 1]) continue;
       if (labels[i] >= boxes_.size()) boxes_.resize(labels[i] + std::size_t{1});
       Box& box = boxes_[labels[i]];
@@ -81,7 +82,8 @@ void RegionClasses::divide(const Box& box, const Box& part,
 
 void RegionClasses::classesOfRow(int y, std::vector<std::uint32_t>& classes) const {
   const auto width = static_cast<std::size_t>(geometry_.width);
-  const std::uint16_t* labels = labels_.data() + static_cast<std::size_t>(y) * width;
+  std::vector<std::uint16_t> labels;
+  labels_.copy(static_cast<std::size_t>(y) * width, width, labels);
   for (std::size_t x = 0; x < width; ++x) {
     if (x != 0 && x % kBlock != 0 && labels[x] == labels[x - 1]) {
       classes[x] = classes[x - 1];

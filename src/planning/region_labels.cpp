@@ -9,18 +9,25 @@
 namespace agrid::planning {
 namespace {
 
-/// Calls `visit(pixel)` for the pixels at which labels differ.
-template <typename Visit>
-void forEachDifference(std::size_t width, const PixelLabels& a, const PixelLabels& b,
-                       const Visit& visit) {
-  const std::uint16_t* row_a = a.data();
-  const std::uint16_t* row_b = b.data();
-  for (std::size_t first = 0; first < a.size(); first += width) {
-    if (std::equal(row_a + first, row_a + first + width, row_b + first)) continue;
-    for (std::size_t i = first; i < first + width; ++i) {
-      if (row_a[i] != row_b[i]) visit(i);
+constexpr std::int32_t kUnknown = -1;
+constexpr std::int32_t kSeveral = -2;
+
+/// What became of each label of before, as the table of slots says it: kSeveral where not all of
+/// its pixels got the same.
+std::vector<std::int32_t> renamed(const PixelLabels& before, const PixelLabels& now) {
+  const std::vector<std::int32_t>& slots_before = before.labelOfSlot();
+  const std::vector<std::int32_t>& slots_now = now.labelOfSlot();
+  std::vector<std::int32_t> label_of;
+  for (std::size_t slot = 0; slot < std::min(slots_before.size(), slots_now.size()); ++slot) {
+    if (slots_before[slot] == PixelLabels::kUnused || slots_now[slot] == PixelLabels::kUnused) {
+      continue;
     }
+    const auto label = static_cast<std::size_t>(slots_before[slot]);
+    if (label >= label_of.size()) label_of.resize(label + 1, kUnknown);
+    if (label_of[label] == kUnknown) label_of[label] = slots_now[slot];
+    if (label_of[label] != slots_now[slot]) label_of[label] = kSeveral;
   }
+  return label_of;
 }
 
 /// Calls `visit(pixel, label)` for the pixels of a region, until it returns false.
@@ -56,6 +63,24 @@ RegionParts findParts(const MapGeometry& geometry, const PortalGraph& regions, s
   return parts;
 }
 
+/// Parts with the labels of now; nullptr if some have no label, or several the same.
+template <typename NowOf>
+std::shared_ptr<const RegionParts> renamed(const std::shared_ptr<const RegionParts>& parts,
+                                           const NowOf& nowOf) {
+  auto now = std::make_shared<RegionParts>(*parts);
+  now->boxes.clear();
+  for (const auto& [label, box] : parts->boxes) {
+    const std::int32_t to = nowOf(label);
+    if (to < 0 || !now->boxes.emplace(static_cast<std::uint16_t>(to), box).second) return nullptr;
+  }
+  for (Portal& border : now->borders) {
+    for (std::uint32_t& label : border.nodes) {
+      label = static_cast<std::uint32_t>(nowOf(static_cast<std::uint16_t>(label)));
+    }
+  }
+  return now;
+}
+
 }  // namespace
 
 RegionLabels::RegionLabels(const MapGeometry& geometry, const PortalGraph& regions,
@@ -72,13 +97,25 @@ RegionLabels::RegionLabels(const RegionLabels& former, const PortalGraph& region
       labels_(std::move(labels)),
       label_of_(former.label_of_),
       parts_(former.parts_) {
+  const std::vector<std::int32_t> label_of = renamed(former.labels_, labels_);
+  const auto nowOf = [&](std::uint16_t label) {
+    return label < label_of.size() ? label_of[label] : kUnknown;
+  };
   std::vector<std::uint32_t> changed;
-  const auto width = static_cast<std::size_t>(geometry_.width);
-  forEachDifference(width, former.labels_, labels_, [&](std::size_t i) {
+  former.labels_.slots().forEachDifference(labels_.slots(), [&](std::size_t i) {
     const std::uint32_t region = regions.nodeAt(i);
     if (region == kNoNode || (!changed.empty() && changed.back() == region)) return;
-    changed.push_back(region);
+    if (nowOf(former.labels_[i]) != labels_[i]) changed.push_back(region);
   });
+  for (std::uint32_t region = 0; region < label_of_.size(); ++region) {
+    const std::int32_t label = nowOf(label_of_[region]);
+    if (label < 0) changed.push_back(region);
+    label_of_[region] = static_cast<std::uint16_t>(std::max(label, 0));
+  }
+  for (auto& part : parts_) {
+    part.second = renamed(part.second, nowOf);
+    if (!part.second) changed.push_back(part.first);
+  }
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   for (const std::uint32_t region : changed) relabel(regions, region);

@@ -10,7 +10,7 @@
 
 #include "planning/free_space.h"
 #include "planning/lazy_roads.h"
-#include "planning/paged_array.h"
+#include "agrid/map/paged_array.h"
 #include "planning/portal_graph.h"
 #include "planning/portal_graph_patch.h"
 #include "planning/region_classes.h"

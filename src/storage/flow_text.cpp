@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/flow_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -72,6 +73,7 @@ class FlowReader {
       auto child = value(depth + 1);
       if (!child) return std::nullopt;
       if (key) child->key = std::move(*key);
+      if (key && holds(node, child->key)) return std::nullopt;
       node.children.push_back(std::move(*child));
     } while (take(", "));
     if (!take(end)) return std::nullopt;
@@ -90,8 +92,15 @@ class FlowReader {
     }
     const std::size_t start = next_;
     while (!atEnd() && isPlain(text_[next_])) ++next_;
-    if (next_ == start) return std::nullopt;
-    return std::string(text_.substr(start, next_ - start));
+    const std::string_view word = text_.substr(start, next_ - start);
+    // words that are something else in YAML
+    if (word.empty() || word == "null" || word == "-") return std::nullopt;
+    return std::string(word);
+  }
+
+  static bool holds(const StoredNode& mapping, const std::string& key) {
+    return std::any_of(mapping.children.begin(), mapping.children.end(),
+                       [&](const StoredNode& child) { return child.key == key; });
   }
 
   static bool isPlain(char c) {

@@ -257,27 +257,33 @@ std::string snapshotText(const Snapshot& snapshot) {
   return text + std::string(kChecksumKey) + quoted(hexadecimalOf(checksumOf(text))) + "\n";
 }
 
+namespace {
+
+ReadSnapshot readEntries(const std::string& text, const std::string& path) {
+  SnapshotReader reader(path);
+  if (readOwnYaml(text, [&](const std::string& section, StoredNode&& node) {
+        reader.take(section, std::move(node));
+      })) {
+    return reader.finish();
+  }
+  SnapshotReader slow_reader(path);
+  readYaml(text, path, [&](const std::string& section, StoredNode&& node) {
+    slow_reader.take(section, std::move(node));
+  });
+  return slow_reader.finish();
+}
+
+}  // namespace
+
 ReadSnapshot readSnapshot(const std::string& text, const std::string& path) {
   refuseNewerVersion(text, path);
   const Checksum checksum = judge(text, path);
-  if (checksum == Checksum::kRight) {
-    SnapshotReader reader(path);
-    if (readOwnYaml(text, [&](const std::string& section, StoredNode&& node) {
-          reader.take(section, std::move(node));
-        })) {
-      return reader.finish();
-    }
-  }
   const std::size_t zero = text.find('\0');  // blocks that never reached the disk; no editor's work
-  if (zero != std::string::npos) {
+  if (checksum != Checksum::kRight && zero != std::string::npos) {
     throw StorageError(StorageErrorCode::kCorrupt,
                        path + ": a zero byte at " + std::to_string(zero));
   }
-  SnapshotReader reader(path);
-  readYaml(text, path, [&](const std::string& section, StoredNode&& node) {
-    reader.take(section, std::move(node));
-  });
-  ReadSnapshot read = reader.finish();
+  ReadSnapshot read = readEntries(text, path);
   if (checksum != Checksum::kRight) {
     read.warnings.insert(read.warnings.begin(), path + ": changed by hand since it was saved");
   }

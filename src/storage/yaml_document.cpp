@@ -144,6 +144,104 @@ class NodeCollector : public YAML::EventHandler {
 
 bool isBlank(std::string_view line) { return line.empty() || line[0] == '#'; }
 
+void moveDown(StoredNode& node, int lines) {
+  node.line += lines;
+  for (StoredNode& child : node.children) moveDown(child, lines);
+}
+
+/// Reads line by line. A list's item that is written otherwise is read on its own: it ends where
+/// the next one begins or the lines are no longer indented. If that cuts something, what is left is
+/// no YAML.
+class OwnReader {
+ public:
+  OwnReader(std::string_view text, const NodeSink& sink) : rest_(text), sink_(sink) {}
+
+  /// @return false if the text is laid out otherwise
+  bool read() {
+    while (!rest_.empty()) {
+      const auto line = takeLine();
+      if (!line) return false;
+      if (isBlank(*line)) continue;
+      const bool is_item = line->substr(0, kItem.size()) == kItem;
+      if (!(is_item ? readItem(*line) : readKey(*line))) return false;
+    }
+    return !waits_for_item_;
+  }
+
+ private:
+  static constexpr std::string_view kItem = "  - ";
+  static constexpr int kMostOdd = 1000;  // beyond it reading all at once is faster
+
+  std::optional<std::string_view> nextLine() const {
+    const std::size_t end = rest_.find('\n');
+    return end == std::string_view::npos ? std::nullopt : std::optional(rest_.substr(0, end));
+  }
+
+  std::optional<std::string_view> takeLine() {
+    const auto line = nextLine();
+    if (!line) return std::nullopt;
+    rest_.remove_prefix(line->size() + 1);
+    ++number_;
+    return line;
+  }
+
+  bool readItem(std::string_view line) {
+    if (section_.empty()) return false;
+    waits_for_item_ = false;
+    auto item = parseFlow(line.substr(kItem.size()), number_);
+    if (!item) return ++odd_ <= kMostOdd && readOddItem(line);
+    sink_(section_, std::move(*item));
+    return true;
+  }
+
+  bool readOddItem(std::string_view line) {
+    const int lines_before = number_ - 2;
+    std::string text = "item:\n" + std::string(line) + "\n";
+    for (auto next = nextLine(); next; next = nextLine()) {
+      const bool goes_on = isBlank(*next) || (next->front() == ' ' && next->substr(0, 4) != kItem);
+      if (!goes_on) break;
+      text += std::string(*next) + "\n";
+      takeLine();
+    }
+    try {
+      readYaml(text, "", [&](const std::string&, StoredNode&& node) {
+        moveDown(node, lines_before);
+        sink_(section_, std::move(node));
+      });
+    } catch (const StorageError&) {
+      return false;  // reading the whole tells what is wrong
+    }
+    return true;
+  }
+
+  bool readKey(std::string_view line) {
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos || waits_for_item_) return false;
+    section_ = line.substr(0, colon);
+    const bool is_plain = std::all_of(section_.begin(), section_.end(),
+                                      [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; });
+    if (!is_plain || section_.empty() || !keys_.insert(section_).second) return false;
+    if (colon + 1 == line.size()) return waits_for_item_ = true;
+    auto value = parseFlow(line.substr(std::min(colon + 2, line.size())), number_);
+    if (!value || line[colon + 1] != ' ') return false;
+    value->key = std::exchange(section_, std::string());
+    if (value->kind != Kind::kSequence) {
+      sink_(std::string(), std::move(*value));
+    } else {
+      for (StoredNode& item : value->children) sink_(value->key, std::move(item));
+    }
+    return true;
+  }
+
+  std::string_view rest_;
+  const NodeSink& sink_;
+  std::string section_;
+  std::set<std::string> keys_;
+  bool waits_for_item_ = false;
+  int number_ = 0;
+  int odd_ = 0;
+};
+
 }  // namespace
 
 void readYaml(const std::string& text, const std::string& name, const NodeSink& sink) {
@@ -160,37 +258,7 @@ void readYaml(const std::string& text, const std::string& name, const NodeSink& 
 }
 
 bool readOwnYaml(const std::string& text, const NodeSink& sink) {
-  constexpr std::string_view kItem = "  - ";
-  std::string section;
-  int number = 0;
-  std::string_view rest = text;
-  while (!rest.empty()) {
-    const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos) return false;
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(end + 1);
-    ++number;
-    if (isBlank(line)) continue;
-    if (line.substr(0, kItem.size()) == kItem) {
-      auto item = parseFlow(line.substr(kItem.size()), number);
-      if (!item || section.empty()) return false;
-      sink(section, std::move(*item));
-      continue;
-    }
-    const std::size_t colon = line.find(':');
-    if (colon == std::string_view::npos) return false;
-    section = line.substr(0, colon);
-    if (colon + 1 == line.size()) continue;
-    auto value = parseFlow(line.substr(std::min(colon + 2, line.size())), number);
-    if (!value || line[colon + 1] != ' ') return false;
-    value->key = std::exchange(section, std::string());
-    if (value->kind != Kind::kSequence) {
-      sink(std::string(), std::move(*value));
-    } else {
-      for (StoredNode& item : value->children) sink(value->key, std::move(item));
-    }
-  }
-  return true;
+  return OwnReader(text, sink).read();
 }
 
 }  // namespace agrid

@@ -19,8 +19,8 @@ using NodeSink = std::function<void(const std::string& section, StoredNode&& nod
 void readYaml(const std::string& text, const std::string& name, const NodeSink& sink);
 
 /// Reads the same if the text is laid out as this package writes it: a line for each value and for
-/// each item of a list, several times as fast.
-/// @return false if it is not; some entries may have been given out then
+/// each item of a list, several times as fast. Some items may be laid out otherwise.
+/// @return false if more is; some entries may have been given out then
 bool readOwnYaml(const std::string& text, const NodeSink& sink);
 
 }  // namespace agrid

@@ -244,7 +244,7 @@ TEST_P(Offices, TurningTheMapTurnsTheAreas) {
         turned_areas
             .pixel_labels[turned_map.geometry().index({map.geometry().height - 1 - p.y, p.x})]);
   }
-  EXPECT_GT(agreement(areas.pixel_labels, turned_back), 0.995);
+  EXPECT_GT(agreement(areas.pixel_labels.vector(), turned_back), 0.995);
 }
 
 TEST_P(Offices, HalfTheResolutionGivesTheSameAreas) {
@@ -258,7 +258,7 @@ TEST_P(Offices, HalfTheResolutionGivesTheSameAreas) {
     const Pixel p = plan.grid.geometry.pixel(i);
     sampled.push_back(fine.pixel_labels[fine_map.geometry().index({2 * p.x, 2 * p.y})]);
   }
-  EXPECT_GT(agreement(coarse.pixel_labels, sampled), 0.98);
+  EXPECT_GT(agreement(coarse.pixel_labels.vector(), sampled), 0.98);
 }
 
 TEST_P(Offices, ThePoseOfTheMapMovesNothingInIt) {
@@ -269,7 +269,7 @@ TEST_P(Offices, ThePoseOfTheMapMovesNothingInIt) {
   const AreaMap moved = segment(OccupancyMap(plan.grid));
   // only the numbers may differ: they follow the position in the map frame
   EXPECT_EQ(areas.areas.size(), moved.areas.size());
-  EXPECT_EQ(agreement(areas.pixel_labels, moved.pixel_labels), 1);
+  EXPECT_EQ(agreement(areas.pixel_labels.vector(), moved.pixel_labels.vector()), 1);
   ASSERT_EQ(areas.doors.size(), moved.doors.size());
   for (const Door& door : areas.doors) {
     const Point2 expected = moved_from_map * door.jambs_map.midpoint();

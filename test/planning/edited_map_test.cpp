@@ -43,7 +43,7 @@ SemanticMap editedMap(std::mt19937& random, const SemanticMap& map) {
   SemanticMap edited = map;
   AreaMap& areas = edited.area_map;
   const MapGeometry& geometry = map.map().geometry();
-  std::vector<std::uint16_t> labels = areas.pixel_labels;
+  std::vector<std::uint16_t> labels = areas.pixel_labels.vector();
   const auto any = static_cast<std::uint16_t>(1 + random() % areas.areas.size());
   const auto other = static_cast<std::uint16_t>(1 + random() % areas.areas.size());
   const int split_x = static_cast<int>(random() % static_cast<unsigned>(geometry.width));

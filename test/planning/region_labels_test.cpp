@@ -82,7 +82,7 @@ void changeAreas(std::mt19937& random, Switching& s) {
   const MapGeometry& g = s.trial.scene.grid.geometry;
   auto changed = std::make_shared<SemanticMap>(*s.map);
   AreaMap& areas = changed->area_map;
-  std::vector<std::uint16_t> labels = areas.pixel_labels;
+  std::vector<std::uint16_t> labels = areas.pixel_labels.vector();
   const auto count = areas.areas.size();
   const auto from = static_cast<std::uint16_t>(1 + random() % count);
   const auto to = static_cast<std::uint16_t>(1 + random() % count);

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "agrid/areas/pixel_labels.h"
 #include "agrid/geometry/polygon.h"
 #include "agrid/geometry/pose2.h"
 #include "agrid/geometry/segment.h"
@@ -54,35 +53,6 @@ inline Pose2 poseOf(const Door& door) {
   const Point2 along = door.jambs_map.b - door.jambs_map.a;
   return {door.jambs_map.midpoint(), std::atan2(-along.x(), along.y())};
 }
-
-/// The label of each pixel of a map. Copies share them, so that copying is cheap; never changed
-/// after it was made.
-class PixelLabels {
- public:
-  PixelLabels() = default;
-  PixelLabels(std::vector<std::uint16_t> labels)  // NOLINT: a vector of labels is what it is
-      : labels_(std::make_shared<const std::vector<std::uint16_t>>(std::move(labels))) {}
-
-  operator const std::vector<std::uint16_t>&() const {  // NOLINT: and can be used as
-    static const std::vector<std::uint16_t> kNone;
-    return labels_ ? *labels_ : kNone;
-  }
-  const std::vector<std::uint16_t>& vector() const { return *this; }
-  std::uint16_t operator[](std::size_t pixel) const { return (*labels_)[pixel]; }
-  std::uint16_t at(std::size_t pixel) const { return vector().at(pixel); }
-  std::size_t size() const { return vector().size(); }
-  const std::uint16_t* data() const { return vector().data(); }
-  auto begin() const { return vector().begin(); }
-  auto end() const { return vector().end(); }
-  /// Whether both are one and the same, which tells it without looking at the pixels.
-  bool shares(const PixelLabels& other) const { return labels_ == other.labels_; }
-  friend bool operator==(const PixelLabels& a, const PixelLabels& b) {
-    return a.shares(b) || a.vector() == b.vector();
-  }
-
- private:
-  std::shared_ptr<const std::vector<std::uint16_t>> labels_;
-};
 
 /// Areas and doors of a map, and which pixel and cell belongs to which area.
 struct AreaMap {

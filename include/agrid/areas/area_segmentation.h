@@ -21,6 +21,7 @@ AreaMap segmentAreas(const OccupancyMap& map, const AGrid& grid, const std::vect
 struct TaggedAreas {
   std::vector<Tag> tags;  ///< the given ones, then the proposed ones
   AreaMap area_map;
+  std::vector<double> mean_clearances;  ///< of the areas' pixels, from what is not free [m]
 };
 
 /// The same areas as proposeTags and segmentAreas one after the other, in less time: what both

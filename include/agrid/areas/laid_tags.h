@@ -33,6 +33,8 @@ struct AreaGroup {
   Point2 seed_map = Point2::Zero();    ///< of a group without members [m]
   std::vector<AreaId> areas;           ///< what it is parted into, the largest first
   std::vector<Segment> jambs_map;      ///< of its doors; without length: where no area is
+  /// In PixelLabels: of all parts, or without the first if there are members, whose labels it has.
+  std::vector<std::uint16_t> slots;
 };
 
 /// What people and robots said, laid over the automatic areas.

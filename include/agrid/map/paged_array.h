@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace agrid::planning {
+namespace agrid {
 
 /// An array of which copies share all pages but those that were changed since: copying takes 8
 /// bytes a page, changing an element the copy of its page. Copies may be read and changed by
@@ -55,6 +55,20 @@ class PagedArray {
     ++size_;
   }
 
+  /// Calls `visit(i)` where two arrays of the same size differ; pages that they share are passed
+  /// over.
+  template <typename Visit>
+  void forEachDifference(const PagedArray& other, const Visit& visit) const {
+    for (std::size_t page = 0; page < pages_.size(); ++page) {
+      if (pages_[page] == other.pages_[page]) continue;
+      const std::size_t first = page * kPage;
+      const std::size_t count = std::min(kPage, size_ - first);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (pages_[page][i] != other.pages_[page][i]) visit(first + i);
+      }
+    }
+  }
+
   class Iterator {
    public:
     Iterator(const PagedArray& array, std::size_t i) : array_(&array), i_(i) {}
@@ -95,4 +109,4 @@ class PagedArray {
   std::size_t size_;
 };
 
-}  // namespace agrid::planning
+}  // namespace agrid
