@@ -24,7 +24,7 @@ std::optional<ExportFormat> formatOfFile(std::string_view file_name) {
 
 std::string labelsPng(const SemanticMap& map) {
   std::vector<unsigned char> bytes;
-  cv::imencode(".png", labelImage(map.area_map.pixel_labels, map.map().geometry()), bytes);
+  cv::imencode(".png", labelImage(map.area_map.pixel_labels.vector(), map.map().geometry()), bytes);
   return {bytes.begin(), bytes.end()};
 }
 

@@ -89,10 +89,10 @@ bool isCounterClockwise(const PixelRing& ring) {
 
 std::vector<cv::Rect> boxesOf(const AreaMap& areas, const MapGeometry& geometry) {
   std::vector<cv::Rect> boxes(areas.areas.size());
-  const std::uint16_t* labels = areas.pixel_labels.data();
+  std::vector<std::uint16_t> row;
   for (int y = 0; y < geometry.height; ++y) {
-    const std::uint16_t* row = labels + geometry.index({0, y});
-    forEachRun(row, geometry.width, [&](int begin, int end, std::uint16_t label) {
+    areas.pixel_labels.copy(geometry.index({0, y}), static_cast<std::size_t>(geometry.width), row);
+    forEachRun(row.data(), geometry.width, [&](int begin, int end, std::uint16_t label) {
       if (label != 0) boxes[label - 1U] |= cv::Rect(begin, y, end - begin, 1);
     });
   }
@@ -129,13 +129,14 @@ std::vector<std::vector<Face>> areaFaces(const SemanticMap& map) {
   const MapGeometry& geometry = map.map().geometry();
   const std::vector<cv::Rect> boxes = boxesOf(map.area_map, geometry);
   std::vector<std::vector<Face>> faces(boxes.size());
+  std::vector<std::uint16_t> row;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const cv::Rect& box = boxes[k];
     cv::Mat1b shape(box.size());
     for (int y = 0; y < box.height; ++y) {
-      const std::uint16_t* row =
-          map.area_map.pixel_labels.data() + geometry.index({box.x, box.y + y});
-      std::transform(row, row + box.width, shape.ptr(y), [&](std::uint16_t label) {
+      map.area_map.pixel_labels.copy(geometry.index({box.x, box.y + y}),
+                                     static_cast<std::size_t>(box.width), row);
+      std::transform(row.begin(), row.end(), shape.ptr(y), [&](std::uint16_t label) {
         return static_cast<std::uint8_t>(label == k + 1);
       });
     }

@@ -165,7 +165,7 @@ class OwnReader {
       const bool is_item = line->substr(0, kItem.size()) == kItem;
       if (!(is_item ? readItem(*line) : readKey(*line))) return false;
     }
-    return !waits_for_item_;
+    return !waits_for_item_ && !keys_.empty();
   }
 
  private:
@@ -203,14 +203,18 @@ class OwnReader {
       text += std::string(*next) + "\n";
       takeLine();
     }
+    text += "end:\n";
+    std::vector<StoredNode> read;
     try {
-      readYaml(text, "", [&](const std::string&, StoredNode&& node) {
-        moveDown(node, lines_before);
-        sink_(section_, std::move(node));
-      });
+      readYaml(text, "",
+               [&](const std::string&, StoredNode&& node) { read.push_back(std::move(node)); });
     } catch (const StorageError&) {
       return false;  // reading the whole tells what is wrong
     }
+    // what has no end in these lines has taken theirs
+    if (read.size() != 2 || read.back().key != "end") return false;
+    moveDown(read.front(), lines_before);
+    sink_(section_, std::move(read.front()));
     return true;
   }
 

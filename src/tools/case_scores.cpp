@@ -97,7 +97,8 @@ CaseScores scoreCase(const EvalCase& about, const ConversionParams& params,
     const auto seen = view.make ? std::make_shared<const OccupancyMap>(view.make(*map)) : map;
     const SemanticMap found =
         annotate(extractStructure(seen, params.pipeline), {}, params.pipeline);
-    const Labels labels = labelsOn(map->geometry(), seen->geometry(), found.area_map.pixel_labels.vector());
+    const Labels labels =
+        labelsOn(map->geometry(), seen->geometry(), found.area_map.pixel_labels.vector());
     scores.views.push_back(scoreView(*map, found.area_map, labels, truth));
     if (scores.views.size() == 1) scores.doors = judge(found.area_map, scores.views.front());
   }

@@ -67,7 +67,8 @@ int convert(const Arguments& arguments) {
   const MapGeometry& geometry = map.map().geometry();
   meter.begin("write");
   writePictures(map, params.pipeline.walls, output);
-  writePng(output.stagedPath("labels.png"), labelImage(map.area_map.pixel_labels.vector(), geometry));
+  writePng(output.stagedPath("labels.png"),
+           labelImage(map.area_map.pixel_labels.vector(), geometry));
   writeText(output.stagedPath("doors.csv"), segmentsCsv(doorSegments(map.area_map), geometry));
   writeText(output.stagedPath("graph.json"), graphJson(map));
   if (arguments.has("save-tags")) {

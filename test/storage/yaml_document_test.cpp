@@ -57,7 +57,8 @@ TEST(YamlDocument, S15_ItemsThatAPersonChangedDoNotSlowTheOthersDown) {
     const auto fast = readFast(before + item + after);
     const bool is_cut = item.find("two\nlines") != std::string::npos;
     ASSERT_EQ(fast.has_value(), !is_cut);
-    if (fast) EXPECT_EQ(*fast, readAll(before + item + after));
+    if (is_cut) continue;
+    EXPECT_EQ(fast, readAll(before + item + after));
   }
 }
 
