@@ -20,7 +20,7 @@
 
 namespace agrid_map_rviz {
 
-/// What the panel and the tool share: the newest graph of a node, its services, and what was done,
+/// What panel, tool and display share: the newest graph of a node, its services, and what was done,
 /// so that either takes back what the other one did. Lives and answers in the window's thread.
 class EditSession : public QObject {
   Q_OBJECT
@@ -44,6 +44,8 @@ class EditSession : public QObject {
 
   void planPath(const agrid_map::PlanPath::Request& request);
   void planAreas(const agrid_map::PlanAreas::Request& request);
+  /// Has one of the planned ways shown; one without areas: none.
+  void chooseRoute(const agrid_map::Route& route) { Q_EMIT routeChosen(route); }
 
  Q_SIGNALS:
   void graphChanged();
@@ -51,6 +53,7 @@ class EditSession : public QObject {
   void answered(bool success, const QString& sentence);
   void pathPlanned(const agrid_map::PlanPath::Response& response);
   void routesPlanned(const agrid_map::PlanAreas::Response& response);
+  void routeChosen(const agrid_map::Route& route);
   void undoChanged(bool possible);
 
  private:

@@ -17,6 +17,7 @@ using geometry_msgs::Point;
 constexpr double kLeastSize = 0.2;
 constexpr Color kRed{0.9F, 0.1F, 0.1F, 1};
 constexpr Color kOrange{1, 0.55F, 0, 1};
+constexpr Color kViolet{0.6F, 0.1F, 0.75F, 0.8F};
 constexpr Color kDark{0.15F, 0.15F, 0.15F, 0.9F};
 
 Point pointAt(double x, double y) {
@@ -24,6 +25,10 @@ Point pointAt(double x, double y) {
   point.x = x;
   point.y = y;
   return point;
+}
+
+Point middleOf(const Door& door) {
+  return pointAt((door.jambs[0].x + door.jambs[1].x) / 2, (door.jambs[0].y + door.jambs[1].y) / 2);
 }
 
 bool isFinite(const geometry_msgs::Pose& pose) {
@@ -107,14 +112,25 @@ Mesh edgeShapes(const agrid_map::TopologicalGraph& graph) {
   Mesh mesh;
   for (const agrid_map::Area& area : graph.areas) mesh.addDisc(area.anchor, 0.12, kDark);
   for (const Door& door : graph.doors) {
-    const Point middle =
-        pointAt((door.jambs[0].x + door.jambs[1].x) / 2, (door.jambs[0].y + door.jambs[1].y) / 2);
     if (door.areas[0] == door.areas[1]) continue;
     for (const std::uint32_t id : door.areas) {
       const agrid_map::Area* area = find(graph.areas, id);
-      if (area) mesh.addStroke(area->anchor, middle, 0.04, kDark);
+      if (area) mesh.addStroke(area->anchor, middleOf(door), 0.04, kDark);
     }
   }
+  return mesh;
+}
+
+Mesh routeShapes(const agrid_map::TopologicalGraph& graph, const agrid_map::Route& route) {
+  std::vector<Point> way;
+  for (std::size_t i = 0; i < route.areas.size(); ++i) {
+    if (const agrid_map::Area* area = find(graph.areas, route.areas[i]))
+      way.push_back(area->anchor);
+    const Door* door = i < route.doors.size() ? find(graph.doors, route.doors[i]) : nullptr;
+    if (door) way.push_back(middleOf(*door));
+  }
+  Mesh mesh;
+  for (std::size_t i = 1; i < way.size(); ++i) mesh.addStroke(way[i - 1], way[i], 0.16, kViolet);
   return mesh;
 }
 

@@ -6,6 +6,7 @@
 #include <nav_msgs/Path.h>
 
 #include <agrid_map/AGrid.h>
+#include <agrid_map/Route.h>
 #include <agrid_map/TopologicalGraph.h>
 
 #include "mesh.h"
@@ -25,6 +26,8 @@ Mesh objectShapes(const agrid_map::TopologicalGraph& graph);
 Mesh pendingShapes(const agrid_map::TopologicalGraph& graph);
 /// The graph: areas as nodes at their anchors, joined through the middle of their doors.
 Mesh edgeShapes(const agrid_map::TopologicalGraph& graph);
+/// The way of a route over the anchors of its areas and through the middle of its doors.
+Mesh routeShapes(const agrid_map::TopologicalGraph& graph, const agrid_map::Route& route);
 /// A path as a line.
 Mesh planShapes(const nav_msgs::Path& plan);
 /// The lines of the A-Grid, in the grid's own frame.

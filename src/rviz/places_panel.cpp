@@ -31,6 +31,9 @@ PlacesPanel::PlacesPanel(QWidget* parent)
   connect(node_, &QLineEdit::editingFinished, this, &PlacesPanel::useNode);
   connect(goal_topic_, &QLineEdit::editingFinished, this, &PlacesPanel::useGoalTopic);
   connect(search_, &QLineEdit::textChanged, list_, &PlaceList::search);
+  connect(routes_, &QListWidget::currentRowChanged, this, [this](int row) {
+    session_->chooseRoute(row < 0 ? agrid_map::Route() : ways_[static_cast<std::size_t>(row)]);
+  });
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &PlacesPanel::updateButtons);
   connect(list_, &PlaceList::renamed, this, [this](const Place& place, const QString& name) {
     const QString before = called(place);
@@ -270,12 +273,14 @@ void PlacesPanel::showPath(const agrid_map::PlanPath::Response& response) {
 }
 
 void PlacesPanel::showRoutes(const agrid_map::PlanAreas::Response& response) {
+  ways_ = response.routes;
   routes_->clear();
   const bool success = response.status.code == agrid_map::Status::SUCCESS;
   for (const agrid_map::Route& route : response.routes) routes_->addItem(describe(route));
   routes_->setVisible(success);
-  showAnswer(success, success ? tr("%n way(s)", "", static_cast<int>(response.routes.size()))
-                              : QString::fromStdString(response.status.message));
+  routes_->setCurrentRow(0);
+  const QString count = ways_.size() == 1 ? tr("one way") : tr("%1 ways").arg(ways_.size());
+  showAnswer(success, success ? count : QString::fromStdString(response.status.message));
 }
 
 }  // namespace agrid_map_rviz

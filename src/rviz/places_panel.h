@@ -67,6 +67,7 @@ class PlacesPanel : public rviz::Panel {
   QPointer<EditSession> session_;
   ros::Publisher goal_publisher_;
   Wish wish_ = Wish::kPlan;
+  std::vector<agrid_map::Route> ways_;  ///< the lines of routes_
 };
 
 }  // namespace agrid_map_rviz

@@ -59,6 +59,7 @@ SemanticMapDisplay::SemanticMapDisplay() {
   objects_on_ = part("Objects", true, "Objects as their boxes.");
   pending_on_ = part("Waiting", true, "Tags that wait for a sure place, orange.");
   graph_on_ = part("Graph", true, "Areas as nodes, joined through their doors.");
+  route_on_ = part("Route", true, "The way that is chosen in the panel.");
   plan_on_ = part("Plan", true, "The last path.");
   cells_on_ = part("Cells", false, "The lines of the A-Grid.");
 }
@@ -79,7 +80,8 @@ void SemanticMapDisplay::onInitialize() {
   doors_ = std::make_unique<ShapeLayer>(Stack{graph_frame_.node, 4});
   objects_ = std::make_unique<ShapeLayer>(Stack{graph_frame_.node, 5});
   pending_ = std::make_unique<ShapeLayer>(Stack{graph_frame_.node, 6});
-  plan_ = std::make_unique<ShapeLayer>(Stack{plan_frame_.node, 7});
+  route_ = std::make_unique<ShapeLayer>(Stack{graph_frame_.node, 7});
+  plan_ = std::make_unique<ShapeLayer>(Stack{plan_frame_.node, 8});
   names_ = std::make_unique<NameLayer>(Stack{graph_frame_.node, 50});
   updateAlpha();
   updateVisibility();
@@ -111,6 +113,8 @@ void SemanticMapDisplay::subscribe() {
   grid_subscriber_ = threaded_nh_.subscribe(node + "/agrid", 1, &SemanticMapDisplay::paint, this);
   graph_subscriber_ =
       update_nh_.subscribe(node + "/graph", 1, &SemanticMapDisplay::showGraph, this);
+  session_ = &EditSession::of(*context_, node_->getString());
+  connect(session_, &EditSession::routeChosen, this, &SemanticMapDisplay::showRoute);
   plan_subscriber_ = update_nh_.subscribe(node + "/plan", 1, &SemanticMapDisplay::showPlan, this);
 }
 
@@ -118,18 +122,20 @@ void SemanticMapDisplay::unsubscribe() {
   for (ros::Subscriber* s : {&grid_subscriber_, &graph_subscriber_, &plan_subscriber_}) {
     s->shutdown();
   }
+  if (session_) session_->disconnect(this);
 }
 
 void SemanticMapDisplay::reset() {
   rviz::Display::reset();
   if (!areas_) return;
   graph_.reset();
+  chosen_ = {};
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     painted_.reset();
   }
   areas_->show({});
-  for (const auto* layer : {&cells_, &edges_, &doors_, &objects_, &pending_, &plan_}) {
+  for (const auto* layer : {&cells_, &edges_, &doors_, &objects_, &pending_, &route_, &plan_}) {
     (*layer)->show({});
   }
   names_->show({});
@@ -174,6 +180,7 @@ void SemanticMapDisplay::showGraph(const agrid_map::TopologicalGraph::ConstPtr& 
   doors_->show(doorShapes(*graph));
   objects_->show(objectShapes(*graph));
   pending_->show(pendingShapes(*graph));
+  route_->show(routeShapes(*graph, chosen_));
   updateNames();
   setStatus(rviz::StatusProperty::Ok, "Graph",
             tr("%1 areas, %2 doors, %3 objects, %4 waiting")
@@ -182,6 +189,12 @@ void SemanticMapDisplay::showGraph(const agrid_map::TopologicalGraph::ConstPtr& 
                 .arg(graph->objects.size())
                 .arg(graph->pending.size()));
   updateVisibility();
+}
+
+void SemanticMapDisplay::showRoute(const agrid_map::Route& route) {
+  chosen_ = route;
+  if (graph_) route_->show(routeShapes(*graph_, chosen_));
+  context_->queueRender();
 }
 
 void SemanticMapDisplay::showPlan(const nav_msgs::Path::ConstPtr& plan) {
@@ -207,6 +220,7 @@ void SemanticMapDisplay::updateVisibility() {
   objects_->setVisible(objects_on_->getBool());
   pending_->setVisible(pending_on_->getBool());
   edges_->setVisible(graph_on_->getBool());
+  route_->setVisible(route_on_->getBool());
   plan_->setVisible(plan_on_->getBool());
   cells_->setVisible(cells_on_->getBool());
   context_->queueRender();

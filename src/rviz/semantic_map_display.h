@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QPointer>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,6 +16,8 @@
 
 #include "layers.h"
 #endif
+
+#include "edit_session.h"
 
 namespace rviz {
 class BoolProperty;
@@ -69,18 +72,21 @@ class SemanticMapDisplay : public rviz::Display {
   void paint(const agrid_map::AGrid::ConstPtr& grid);
   void showPicture();
   void showGraph(const agrid_map::TopologicalGraph::ConstPtr& graph);
+  void showRoute(const agrid_map::Route& route);
   void showPlan(const nav_msgs::Path::ConstPtr& plan);
   void place(const Framed& framed, const QString& name);
 
   rviz::StringProperty* node_;
   rviz::FloatProperty *alpha_, *name_size_;
   rviz::BoolProperty *areas_on_, *names_on_, *doors_on_, *objects_on_, *pending_on_, *graph_on_,
-      *plan_on_, *cells_on_;
+      *route_on_, *plan_on_, *cells_on_;
   Framed grid_frame_, graph_frame_, plan_frame_;
   std::unique_ptr<AreaLayer> areas_;
-  std::unique_ptr<ShapeLayer> cells_, edges_, doors_, objects_, pending_, plan_;
+  std::unique_ptr<ShapeLayer> cells_, edges_, doors_, objects_, pending_, route_, plan_;
   std::unique_ptr<NameLayer> names_;
   agrid_map::TopologicalGraph::ConstPtr graph_;
+  agrid_map::Route chosen_;  ///< of the ways that the panel lists
+  QPointer<EditSession> session_;
   ros::Subscriber grid_subscriber_, graph_subscriber_, plan_subscriber_;
   std::mutex mutex_;
   std::unique_ptr<Picture> painted_;  ///< guarded by mutex_: made by another thread
