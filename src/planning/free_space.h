@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "agrid/map/map_geometry.h"
-#include "planning/fine_point.h"
 #include "agrid/map/paged_array.h"
+#include "planning/fine_point.h"
 
 namespace agrid::planning {
 

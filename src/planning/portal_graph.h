@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "planning/free_space.h"
 #include "agrid/map/paged_array.h"
+#include "planning/free_space.h"
 #include "planning/portal_runs.h"
 #include "planning/stop.h"
 #include "tags/disjoint_sets.h"

@@ -8,9 +8,9 @@
 #include <set>
 #include <vector>
 
+#include "agrid/map/paged_array.h"
 #include "planning/free_space.h"
 #include "planning/lazy_roads.h"
-#include "agrid/map/paged_array.h"
 #include "planning/portal_graph.h"
 #include "planning/portal_graph_patch.h"
 #include "planning/region_classes.h"

@@ -69,7 +69,8 @@ TEST(DrawnOffices, AreSeenTheSameWhateverTheirPose) {
   }
   const auto labelsOf = [](const OccupancyMap& map) {
     const auto shared = std::make_shared<const OccupancyMap>(map);
-    return numberedByPlace(annotate(extractStructure(shared, {}), {}, {}).area_map.pixel_labels.vector());
+    return numberedByPlace(
+        annotate(extractStructure(shared, {}), {}, {}).area_map.pixel_labels.vector());
   };
   EXPECT_EQ(labelsOf(view), labelsOf(OccupancyMap(grid)));
 }
