@@ -6,10 +6,12 @@
 #include <OgreHardwarePixelBuffer.h>
 #include <OgreManualObject.h>
 #include <OgreMaterialManager.h>
+#include <OgrePass.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
 #include <OgreTechnique.h>
 #include <OgreTextureManager.h>
+#include <OgreTextureUnitState.h>
 #include <rviz/ogre_helpers/movable_text.h>
 
 namespace agrid_map_rviz {
@@ -68,7 +70,7 @@ ShapeLayer::~ShapeLayer() {
   Ogre::SceneManager* scene = node_->getCreator();
   scene->destroyManualObject(object_);
   scene->destroySceneNode(node_);
-  Ogre::MaterialManager::getSingleton().remove(material_);
+  Ogre::MaterialManager::getSingleton().remove(material_->getName());
 }
 
 void ShapeLayer::show(const Mesh& mesh) {
@@ -90,24 +92,19 @@ AreaLayer::~AreaLayer() {
   Ogre::SceneManager* scene = node_->getCreator();
   scene->destroyManualObject(object_);
   scene->destroySceneNode(node_);
-  Ogre::MaterialManager::getSingleton().remove(material_);
-  if (texture_) Ogre::TextureManager::getSingleton().remove(texture_);
+  Ogre::MaterialManager::getSingleton().remove(material_->getName());
+  if (!texture_.empty()) Ogre::TextureManager::getSingleton().remove(texture_);
 }
 
 void AreaLayer::setTexture(const AreaPicture& picture) {
   Ogre::TextureManager& textures = Ogre::TextureManager::getSingleton();
-  if (texture_ &&
-      (texture_->getWidth() != picture.width || texture_->getHeight() != picture.height)) {
-    textures.remove(texture_);
-    texture_.reset();
-  }
-  if (!texture_) {
-    texture_ = textures.createManual(uniqueName("texture"), kGroup, Ogre::TEX_TYPE_2D,
-                                     picture.width, picture.height, 0, Ogre::PF_BYTE_RGBA);
-  }
+  if (!texture_.empty()) textures.remove(texture_);
+  texture_ = uniqueName("texture");
+  const Ogre::TexturePtr texture = textures.createManual(
+      texture_, kGroup, Ogre::TEX_TYPE_2D, picture.width, picture.height, 0, Ogre::PF_BYTE_RGBA);
   // Ogre only reads from it
   auto* texels = const_cast<std::uint8_t*>(picture.rgba.data());
-  texture_->getBuffer()->blitFromMemory(
+  texture->getBuffer()->blitFromMemory(
       Ogre::PixelBox(picture.width, picture.height, 1, Ogre::PF_BYTE_RGBA, texels));
 }
 
@@ -118,7 +115,7 @@ void AreaLayer::show(const AreaPicture& picture) {
   Ogre::Pass* pass = material_->getTechnique(0)->getPass(0);
   if (pass->getNumTextureUnitStates() == 0) pass->createTextureUnitState();
   Ogre::TextureUnitState* unit = pass->getTextureUnitState(0);
-  unit->setTextureName(texture_->getName());
+  unit->setTextureName(texture_);
   unit->setTextureFiltering(Ogre::TFO_NONE);
   unit->setTextureAddressingMode(Ogre::TextureUnitState::TAM_CLAMP);
   object_->begin(material_->getName(), Ogre::RenderOperation::OT_TRIANGLE_LIST, kGroup);

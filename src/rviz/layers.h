@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <OgreMaterial.h>
-#include <OgreTexture.h>
 
 #include "area_picture.h"
 #include "mesh.h"
@@ -65,7 +64,7 @@ class AreaLayer {
   Ogre::SceneNode* node_;
   Ogre::ManualObject* object_;
   Ogre::MaterialPtr material_;
-  Ogre::TexturePtr texture_;
+  std::string texture_;  ///< its name; empty: none yet
   float height_;
 };
 

@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScreen>
 
 #include <OgreCamera.h>
 #include <OgreRenderWindow.h>
@@ -134,15 +135,8 @@ void RvizWindow::drag(double x1, double y1, double x2, double y2) {
 
 QImage RvizWindow::picture() {
   QTest::qWait(200);
-  Ogre::RenderTarget* target = view()->getViewport()->getTarget();
-  target->update();
-  const int width = static_cast<int>(target->getWidth());
-  const int height = static_cast<int>(target->getHeight());
-  QImage image(width, height, QImage::Format_RGB32);
-  const Ogre::PixelBox box(target->getWidth(), target->getHeight(), 1, Ogre::PF_BYTE_BGRA,
-                           image.bits());
-  target->copyContentsToMemory(box, box, Ogre::RenderTarget::FB_AUTO);
-  return image;
+  view()->getViewport()->getTarget()->update();
+  return qApp->primaryScreen()->grabWindow(view()->winId()).toImage();
 }
 
 std::vector<agrid_map::Tag> RvizWindow::given(std::uint8_t type) {
