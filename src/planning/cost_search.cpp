@@ -103,4 +103,23 @@ std::vector<Pixel> CostSearch::find(const CostField& field, Pixel start, Pixel g
   return {};
 }
 
+void CostSearch::flood(const CostField& field, Pixel start) {
+  const MapGeometry& geometry = field.geometry();
+  prepare(geometry.pixelCount());
+  std::vector<Pixel> open{start};
+  seen_[geometry.index(start)] = run_;
+  while (!open.empty()) {
+    const Pixel at = open.back();
+    open.pop_back();
+    for (std::size_t i = 0; i < 4; ++i) {  // the steps over sides come first
+      const Pixel next{at.x + kSteps[i].x, at.y + kSteps[i].y};
+      if (!geometry.contains(next)) continue;
+      const std::size_t index = geometry.index(next);
+      if (seen_[index] == run_ || field.isBlocked(index)) continue;
+      seen_[index] = run_;
+      open.push_back(next);
+    }
+  }
+}
+
 }  // namespace agrid::planning

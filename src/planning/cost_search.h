@@ -22,7 +22,11 @@ class CostSearch {
   std::vector<Pixel> find(const CostField& field, Pixel start, Pixel goal,
                           const PixelRegion* region);
 
-  /// Whether the last search has been there.
+  /// Reaches all that a pixel is connected with by the pixels' sides, which is all that `find` can
+  /// reach, in a fraction of its time.
+  void flood(const CostField& field, Pixel start);
+
+  /// Whether the last search or flood has been there.
   bool reached(std::size_t pixel_index) const {
     return pixel_index < seen_.size() && seen_[pixel_index] == run_;
   }

@@ -76,12 +76,13 @@ bool Follow::openGoal(const Point2& wanted, double tolerance) {
 }
 
 std::vector<Pixel> Follow::anywhere(const Point2& wanted, double tolerance) {
-  std::vector<Pixel> way = search_.find(field_, start_, goal_, nullptr);
-  if (!way.empty()) return way;
-  const auto reached = nearest(pixelsOf(wanted), inPixels(tolerance),
-                               [this](std::size_t i) { return search_.reached(i); });
-  if (!reached) return {};
-  goal_ = *reached;
+  search_.flood(field_, start_);
+  if (!search_.reached(costmap_.geometry.index(goal_))) {
+    const auto reached = nearest(pixelsOf(wanted), inPixels(tolerance),
+                                 [this](std::size_t i) { return search_.reached(i); });
+    if (!reached) return {};
+    goal_ = *reached;
+  }
   return search_.find(field_, start_, goal_, nullptr);
 }
 

@@ -65,14 +65,9 @@ void AGridPlanner::readParameters(const ros::NodeHandle& node) {
   tolerance_ = std::clamp(node.param("default_tolerance", tolerance_), 0.0, 10.0);
   lead_timeout_ = std::clamp(node.param("lead_timeout", lead_timeout_), 0.01, 60.0);
   lead_tolerance_ = std::clamp(node.param("lead_tolerance", lead_tolerance_), 0.0, 10.0);
-  robot_radius_ = node.param("robot_radius", robot_radius_);
+  robot_radius_ = std::max(0.0, node.param("robot_radius", robot_radius_));
   follower_ = std::make_unique<agrid::LeadFollower>(params);
   areas_ = std::make_unique<agrid::CurrentAreas>(params.rules);
-}
-
-double AGridPlanner::robotRadius() const {
-  return robot_radius_ > 0 ? robot_radius_
-                           : costmap_ros_->getLayeredCostmap()->getInscribedRadius();
 }
 
 agrid::Costmap AGridPlanner::costmapNow(const agrid::Point2& robot) {
@@ -86,7 +81,8 @@ agrid::Costmap AGridPlanner::costmapNow(const agrid::Point2& robot) {
   }
   if (graph_ && frame_from_map_) {
     const agrid::AreaCosts areas = agrid_map_ros::areaCosts(*graph_, *frame_from_map_);
-    areas_->get(agrid::leavable(areas, robot, robotRadius()), costmap.geometry).raise(costmap);
+    const double radius = costmap_ros_->getLayeredCostmap()->getInscribedRadius();
+    areas_->get(agrid::leavable(areas, robot, radius), costmap.geometry).raise(costmap);
   }
   return costmap;
 }
@@ -103,7 +99,7 @@ agrid::Lead AGridPlanner::askForLead(const Pose& start, const Pose& goal,
   // any heading will do: this robot turns on the spot
   request.start.pose.orientation = request.goal.pose.orientation = geometry_msgs::Quaternion();
   request.tolerance = lead_tolerance_;
-  request.robot_radius = robotRadius();
+  request.robot_radius = robot_radius_;
   request.timeout = lead_timeout_;
   for (const agrid::DoorId id : closed) {
     request.closed_doors.push_back(static_cast<std::uint32_t>(id));

@@ -38,7 +38,6 @@ class AGridPlanner : public nav_core::BaseGlobalPlanner {
   agrid::Lead askForLead(const Pose& start, const Pose& goal,
                          const std::vector<agrid::DoorId>& closed);
   void report(const agrid::FollowedPath& path, const std::vector<Pose>& plan);
-  double robotRadius() const;
 
   std::string name_;
   std::string frame_;
@@ -52,7 +51,7 @@ class AGridPlanner : public nav_core::BaseGlobalPlanner {
   double tolerance_ = 0;
   double lead_timeout_ = 1;
   double lead_tolerance_ = 0.5;
-  double robot_radius_ = 0;
+  double robot_radius_ = 0;              ///< of leads [m]; 0: the nodelet's parameter
   std::vector<std::uint32_t> reported_;  ///< doors that were said to be blocked
   ros::Publisher plan_publisher_;
   ros::Publisher blocked_publisher_;
