@@ -9,7 +9,7 @@
 #include <agrid_map/BlockedDoors.h>
 #include <agrid_map/SetDoor.h>
 
-#include "nodelet_client.h"
+#include "ros/nodelet_client.h"
 
 namespace agrid_map_ros {
 namespace {
