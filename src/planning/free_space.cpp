@@ -27,8 +27,15 @@ FreeSpace FreeSpace::withDistances(
   return other;
 }
 
+FreeSpace FreeSpace::withKeepOut(std::shared_ptr<const KeepOut> keep_out) const {
+  FreeSpace other = *this;
+  other.keep_out_ = std::move(keep_out);
+  return other;
+}
+
 FreeSpace FreeSpace::narrowedLess(double px) const {
   FreeSpace wider = *this;
+  wider.keep_out_ = nullptr;
   wider.radius_px_ = radius_px_ - px;
   wider.limit_ =
       wider.radius_px_ < 0 ? -1 : static_cast<std::int32_t>(wider.radius_px_ * wider.radius_px_);
@@ -36,12 +43,17 @@ FreeSpace FreeSpace::narrowedLess(double px) const {
 }
 
 bool FreeSpace::canSee(FinePoint a, FinePoint b) const {
+  return seesPastObstacles(a, b) && !(keep_out_ && keep_out_->isTouchedBy(a, b));
+}
+
+bool FreeSpace::seesPastObstacles(FinePoint a, FinePoint b) const {
   const SegmentRaster raster(a, b);
   const double columns_per_px = 1 / raster.stretch();
   for (int c = raster.first();;) {
     const SegmentRaster::Rows rows = raster.touched(c);
     for (int r = rows.low; r <= rows.high; ++r) {
-      if (!isFree(raster.pixel(c, r))) return false;
+      const Pixel p = raster.pixel(c, r);
+      if (!isInside(p) || !isFarEnough(squaredDistance(p))) return false;
     }
     const int left = (raster.last() - c) * raster.step();
     if (left <= 0) return true;

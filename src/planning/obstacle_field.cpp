@@ -44,12 +44,6 @@ std::shared_ptr<const ObstacleField> ObstacleField::closedAs(
   return field;
 }
 
-std::vector<PixelBox> ObstacleField::closedBoxes() const {
-  std::vector<PixelBox> boxes;
-  for (const ClosedDoor& door : closed_) boxes.push_back(door.box);
-  return boxes;
-}
-
 std::vector<PixelBox> ObstacleField::changedBoxes(const ObstacleField& other) const {
   std::vector<PixelBox> boxes;
   for (const auto& [some, others] :

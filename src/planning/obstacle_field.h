@@ -24,8 +24,6 @@ class ObstacleField {
   static std::shared_ptr<const ObstacleField> closedAs(
       const std::shared_ptr<const ObstacleField>& former, const Obstacles& obstacles);
 
-  /// Around the pixels of each closed door.
-  std::vector<PixelBox> closedBoxes() const;
   /// Of each door that is closed in one of the two and not in the other.
   std::vector<PixelBox> changedBoxes(const ObstacleField& other) const;
 

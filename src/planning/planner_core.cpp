@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/planner_core.h"
 
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "planning/blocking_doors.h"
 #include "planning/ompl/planner_by_name.h"
 #include "planning/ompl/shorten.h"
 #include "planning/road_search.h"
@@ -26,7 +24,7 @@ const std::shared_ptr<const SemanticMap>& requireMap(
 }
 
 std::unique_ptr<LevelCache> newLevels(const SemanticMap& map, const Obstacles& obstacles) {
-  return std::make_unique<LevelCache>(map.map().geometry(), map.area_map.pixel_labels, obstacles);
+  return std::make_unique<LevelCache>(map.map().geometry(), map.area_map, obstacles);
 }
 
 bool haveSamePixels(const SemanticMap& a, const SemanticMap& b) {
@@ -59,7 +57,7 @@ PlannerCore::PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerPa
       obstacles_(*map_, params.allow_unknown, params.clearance),
       cells_(map_->map().geometry(), map_->grid()),
       levels_(newLevels(*map_, obstacles_)) {
-  levels_->get(params.robot_radius, {});
+  levels_->get(params.robot_radius, kNoneEntered, {});
 }
 
 PlannerCore::PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerParams& params,
@@ -70,83 +68,10 @@ PlannerCore::PlannerCore(std::shared_ptr<const SemanticMap> map, const PlannerPa
   const AreaMap& areas = map_->area_map;
   const AreaMap& former_areas = former.map_->area_map;
   levels_ = haveSamePixels(*map_, *former.map_)
-                ? std::make_unique<LevelCache>(*former.levels_, areas.pixel_labels, obstacles_,
+                ? std::make_unique<LevelCache>(*former.levels_, areas, obstacles_,
                                                haveSameDoors(areas.doors, former_areas.doors))
                 : newLevels(*map_, obstacles_);
-  levels_->get(params.robot_radius, {});
-}
-
-Task PlannerCore::taskOf(const PlanRequest& request, const Query& query,
-                         const StopCheck& stop) const {
-  Task task;
-  task.level = levels_->get(query.robot_radius, stop);
-  const EndpointChoice starts =
-      chooseEndpoints(*task.level, obstacles_, request.start.position_map, request.tolerance);
-  const auto* area_goal = std::get_if<AreaGoal>(&request.goal);
-  const std::size_t area = area_goal != nullptr ? areaIndex(area_goal->area) : 0;
-  if (starts.places.empty()) {
-    throw Refusal{PlanStatus::kStartInvalid, "the start " + starts.problem};
-  }
-  if (area_goal == nullptr) {
-    const auto& goal = std::get<PlanPoint>(request.goal);
-    task.goal_yaw = goal.yaw;
-    return taskToPoint(std::move(task), starts, goal.position_map, request.tolerance);
-  }
-  if (area_goal->at_anchor) {
-    const Point2& anchor = map_->area_map.areas[area].anchor_map;
-    return taskToPoint(std::move(task), starts, anchor, request.tolerance);
-  }
-  return taskToArea(std::move(task), starts, area_goal->area);
-}
-
-Task PlannerCore::taskToPoint(Task task, const EndpointChoice& starts, const Point2& goal_map,
-                              double tolerance) const {
-  const EndpointChoice goals = chooseEndpoints(*task.level, obstacles_, goal_map, tolerance);
-  if (goals.places.empty()) {
-    throw Refusal{PlanStatus::kGoalInvalid, "the goal " + goals.problem};
-  }
-  const auto pair = connectedPair(starts, goals);
-  if (!pair) {
-    throw Refusal{PlanStatus::kNoRoute,
-                  explainNoRoute(*map_, *task.level, obstacles_, starts.places.front().component,
-                                 {goals.places.front().component})};
-  }
-  task.start = pair->first;
-  task.target.point = pair->second.point;
-  task.target.regions = {pair->second.region};
-  task.target.box.add(pair->second.point.pixel());
-  task.goal_moved = pair->second.moved;
-  return task;
-}
-
-Task PlannerCore::taskToArea(Task task, const EndpointChoice& starts, AreaId id) const {
-  const std::size_t area = areaIndex(id);
-  const std::string& name = map_->area_map.areas[area].name;
-  Target target = areaTarget(*task.level, static_cast<std::uint16_t>(area + 1));
-  const PortalGraph& regions = task.level->roadmap.regions();
-  const std::set<std::uint32_t> components = componentsOf(target, regions);
-  if (components.empty()) {
-    throw Refusal{PlanStatus::kGoalInvalid,
-                  "the robot's centre fits nowhere in the area '" + name + "'"};
-  }
-  for (const Endpoint& place : starts.places) {
-    if (components.count(place.component) == 0) continue;
-    task.start = place;
-    task.target = reachablePart(std::move(target), regions, place.component);
-    return task;
-  }
-  throw Refusal{PlanStatus::kNoRoute,
-                explainNoRoute(*map_, *task.level, obstacles_, starts.places.front().component,
-                               {components.begin(), components.end()})};
-}
-
-std::size_t PlannerCore::areaIndex(AreaId id) const {
-  const Area* area = findArea(*map_, id);
-  if (area == nullptr) {
-    throw Refusal{PlanStatus::kUnknownName,
-                  "no area has the id " + std::to_string(static_cast<std::uint32_t>(id))};
-  }
-  return static_cast<std::size_t>(area - map_->area_map.areas.data());
+  levels_->get(params.robot_radius, kNoneEntered, {});
 }
 
 PlannerCore::Path PlannerCore::pathOf(const Task& task, const Query& query, std::uint32_t seed,

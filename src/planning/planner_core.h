@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "planning/cell_lookup.h"
@@ -44,7 +45,7 @@ class PlannerCore {
   /// What is prepared for the query's radius.
   /// @throws Stopped
   std::shared_ptr<const RadiusLevel> level(const Query& query, const StopCheck& stop) const {
-    return levels_->get(query.robot_radius, stop);
+    return levels_->get(query.robot_radius, kNoneEntered, stop);
   }
 
   /// The component check: places start and goal, and proves that they are connected.
@@ -74,10 +75,25 @@ class PlannerCore {
   Plan planOf(const Task& task, const PlanRequest& request, const Path& path) const;
 
  private:
-  Task taskToPoint(Task task, const EndpointChoice& starts, const Point2& goal_map,
-                   double tolerance) const;
-  Task taskToArea(Task task, const EndpointChoice& starts, AreaId area) const;
+  /// Where a task begins, and under which terms.
+  struct Departure {
+    EndpointChoice starts;
+    double robot_radius;
+    double tolerance;
+    std::uint16_t open_area;  ///< label of a forbidden area that the start lies in, or 0
+    const StopCheck& stop;
+  };
+  Task taskToPoint(Task task, const Departure& from, const Point2& goal_map) const;
+  Task taskToArea(Task task, const Departure& from, std::size_t area) const;
+  EndpointChoice goalsAt(const RadiusLevel& level, const Departure& from,
+                         const Point2& goal_map) const;
+  std::shared_ptr<const SweptRobot> robotIn(const FreeSpace& free, const Polygon& footprint) const;
   std::size_t areaIndex(AreaId id) const;
+  /// Of a forbidden area, by its label; 0 if there is none at a point.
+  std::uint16_t forbiddenAt(const Point2& point_map) const;
+  std::string whyApart(const Departure& from, const Target& goal) const;
+  std::string forbiddenInTheWay(const Departure& from, const Target& goal,
+                                const RadiusLevel& open) const;
 
   std::shared_ptr<const SemanticMap> map_;
   Obstacles obstacles_;

@@ -28,10 +28,13 @@ std::set<std::uint32_t> changedRegions(const Roadmap& former, const Roadmap& now
   return changed;
 }
 
-/// All pixels that are free or not because of doors, by this radius or a smaller one.
-std::vector<PixelBox> aroundDoors(std::vector<PixelBox> doors, const FreeSpace& free) {
+/// All pixels that are free or not because of doors, by this radius or a smaller one, and those of
+/// forbidden areas.
+std::vector<PixelBox> around(std::vector<PixelBox> doors, const FreeSpace& free,
+                             const std::vector<PixelBox>& forbidden) {
   const int px = static_cast<int>(std::min(free.radiusPx(), 1e6)) + 4;
   for (PixelBox& box : doors) box = widened(box, px);
+  for (const PixelBox& box : forbidden) doors.push_back(widened(box, 3));
   return doors;
 }
 
@@ -45,14 +48,18 @@ RadiusRoads::RadiusRoads(const MapGeometry& geometry, Field open_field, double r
       path_landmarks(roadmap, Measure::kPath, stop),
       least_landmarks(roadmap, Measure::kLeast, stop) {}
 
-RadiusRoads::RadiusRoads(const RadiusRoads& former, const RadiusRoads& base, Field field_now)
+RadiusRoads::RadiusRoads(const RadiusRoads& former, const RadiusRoads& base, Field field_now,
+                         std::shared_ptr<const KeepOut> keep_out)
     : field(std::move(field_now)),
-      free(former.free.withDistances(field->distances())),
-      roadmap(former.roadmap, base.roadmap,
-              {free, aroundDoors(field->changedBoxes(*former.field), free),
-               aroundDoors(field->closedBoxes(), free)}),
+      free(former.free.withDistances(field->distances()).withKeepOut(std::move(keep_out))),
+      roadmap(former.roadmap, base.roadmap, {free, changedBoxes(former), changedBoxes(base)}),
       path_landmarks(former.path_landmarks, base.path_landmarks, base.roadmap, free, roadmap),
       least_landmarks(former.least_landmarks, base.least_landmarks, base.roadmap, free, roadmap) {}
+
+std::vector<PixelBox> RadiusRoads::changedBoxes(const RadiusRoads& other) const {
+  return around(field->changedBoxes(*other.field), free,
+                KeepOut::changedBoxes(free.keepOut().get(), other.free.keepOut().get()));
+}
 
 const PortalGraph& AreaPieces::graph(const FreeSpace& free, const StopCheck& stop) const {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -86,9 +93,8 @@ RadiusLevel::RadiusLevel(const RadiusLevel& former,
       least_landmarks(prepared->least_landmarks),
       region_labels_(std::make_shared<const RegionLabels>(
           *former.region_labels_, roadmap.regions(),
-          changedRegions(
-              former.roadmap, roadmap, free.geometry(),
-              aroundDoors(prepared->field->changedBoxes(*former.prepared->field), free)))),
+          changedRegions(former.roadmap, roadmap, free.geometry(),
+                         prepared->changedBoxes(*former.prepared)))),
       barriers_(std::make_shared<const Barriers>()),
       pieces_(std::make_shared<const AreaPieces>(former.labels())) {}
 

@@ -18,18 +18,22 @@
 
 namespace agrid::planning {
 
-/// What is prepared once for a robot's radius. It depends on the metric map and the closed doors
-/// alone: the areas' labels decide where it is divided, never what is free.
+/// What is prepared once for a robot's radius. It depends on the metric map, the closed doors and
+/// the pixels of forbidden areas alone: the areas' labels decide where it is divided.
 struct RadiusRoads {
   using Field = std::shared_ptr<const ObstacleField>;
 
-  /// All doors are open in `open_field`.
+  /// All doors are open in `open_field`, and no area is forbidden.
   /// @throws Stopped
   RadiusRoads(const MapGeometry& geometry, Field open_field, double robot_radius,
               const PixelLabels& labels, const StopCheck& stop);
-  /// `former` with other doors closed.
-  /// @param base  prepared with all doors open
-  RadiusRoads(const RadiusRoads& former, const RadiusRoads& base, Field field_now);
+  /// `former` with other doors closed and other areas forbidden.
+  /// @param base  prepared with all doors open and no area forbidden
+  RadiusRoads(const RadiusRoads& former, const RadiusRoads& base, Field field_now,
+              std::shared_ptr<const KeepOut> keep_out);
+
+  /// All pixels that are free in one of the two and not in the other.
+  std::vector<PixelBox> changedBoxes(const RadiusRoads& other) const;
 
   const Field field;
   const FreeSpace free;
@@ -57,7 +61,7 @@ class RadiusLevel {
  public:
   /// @param labels  those that the roads were prepared with
   RadiusLevel(std::shared_ptr<const RadiusRoads> prepared, PixelLabels labels);
-  /// The same areas with other doors closed.
+  /// The same areas with other doors closed or other areas forbidden.
   /// @param former  of whose roads `prepared` was made
   RadiusLevel(const RadiusLevel& former, std::shared_ptr<const RadiusRoads> prepared);
   /// The same roads for a map with other areas or doors.

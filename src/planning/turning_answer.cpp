@@ -46,7 +46,12 @@ std::vector<Point2> detour(const PlannerCore& core, const TurningQuery& wanted,
 
 std::shared_ptr<const SweptRobot> PlannerCore::robot(double radius, const Polygon& footprint,
                                                      const StopCheck& stop) const {
-  const FreeSpace& free = levels_->get(radius, stop)->free;
+  const FreeSpace& free = levels_->get(radius, kNoneEntered, stop)->free;
+  return robotIn(free, footprint);
+}
+
+std::shared_ptr<const SweptRobot> PlannerCore::robotIn(const FreeSpace& free,
+                                                       const Polygon& footprint) const {
   if (footprint.empty()) return std::make_shared<const SweptRobot>(free);
   return std::make_shared<const SweptRobot>(free, obstacles_, footprint);
 }
@@ -56,7 +61,7 @@ PlannerCore::Path PlannerCore::turningPathOf(const Task& task, const PlanRequest
                                              const StopCheck& stop) const {
   if (lead.corners.size() < 2 && !request.start.yaw && !task.goal_yaw) return lead;
   const MapGeometry& geometry = map_->map().geometry();
-  const auto robot = this->robot(query.robot_radius, query.footprint, stop);
+  const auto robot = robotIn(task.level->free, query.footprint);
   TurningQuery wanted;
   wanted.turning_radius = query.turning_radius;
   wanted.motion = query.motion;

@@ -130,6 +130,7 @@ class SlowFreeSpace {
     }
   }
 
+  void block(std::size_t pixel_index) { free_[pixel_index] = false; }
   bool isFree(Pixel p) const { return geometry_.contains(p) && free_[geometry_.index(p)]; }
 
   /// Flood fill by 4-neighbours.

@@ -120,7 +120,7 @@ struct RouteList {
 /// metric map: every pixel that a returned path touches is free for the robot's radius, closed
 /// doors are obstacles, and kNoRoute is returned only where the free pixels do not connect start
 /// and goal (by their sides; diagonally where both pixels beside are free). The map's outermost
-/// ring of pixels is never free. Safe to use from several threads at once.
+/// ring is never free, nor are forbidden areas (areaCost) but the start's. Safe with many threads.
 class Planner {
  public:
   /// Prepares the parameters' radius; others are prepared when asked for, the last few are kept.

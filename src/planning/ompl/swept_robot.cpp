@@ -95,6 +95,7 @@ bool SweptRobot::isFarFromObstacles(const Pose2& pose, double reach) const {
     return false;
   }
   const Pixel pixel{static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+  if (free_.keepOut() && free_.keepOut()->mayBeNear(p, ring)) return false;
   const double needed = std::max(free_.radiusPx(), outline) + reach + kMargin;
   return std::sqrt(free_.squaredDistance(pixel)) > needed + kTwoHalfDiagonals;
 }
