@@ -11,7 +11,6 @@ left out, and named, where there is no move_base. Fails at the first command tha
 import os
 import pathlib
 import re
-import shutil
 import signal
 import socket
 import subprocess
@@ -82,10 +81,15 @@ class Reader:
                 pass
 
 
+def has_move_base():
+    return subprocess.run(['/usr/bin/env', 'rospack', 'find', 'move_base'], capture_output=True,
+                          check=False).returncode == 0
+
+
 def follow(reader, steps):
     printed = []
     for kind, lines in steps:
-        if kind == 'sh move_base' and shutil.which('move_base') is None:
+        if kind == 'sh move_base' and not has_move_base():
             print('-- left out, there is no move_base:', *lines, sep='\n   ')
         elif kind.startswith('sh'):
             print('\n$ ' + '\n$ '.join(lines))
