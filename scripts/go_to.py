@@ -8,12 +8,28 @@ The nodelet's ~plan_path says where that is for this robot: an area's anchor (or
 place beside an object, facing it. Ends with 0 if the robot got there.
 """
 import sys
+import time
 
 import actionlib
 import rospy
 from actionlib_msgs.msg import GoalStatus
+from agrid_map.msg import Status
 from agrid_map.srv import PlanPath, PlanPathRequest
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
+
+LONGEST_START = 60  # [s] of real time, until there is a map and the robot's pose
+NOT_YET = (Status.NO_MAP, Status.NO_TRANSFORM)
+
+
+def ask(service, request):
+    """The answer, as soon as everything that was started together is there."""
+    deadline = time.monotonic() + LONGEST_START
+    rospy.wait_for_service(service, 10)
+    while True:
+        answer = rospy.ServiceProxy(service, PlanPath)(request)
+        if answer.status.code not in NOT_YET or time.monotonic() > deadline or rospy.is_shutdown():
+            return answer
+        time.sleep(0.5)
 
 
 def main():
@@ -25,10 +41,9 @@ def main():
     nodelet = rospy.get_param('~nodelet', 'agrid')
     while not rospy.get_time():  # simulated time has to begin before anything can be waited for
         rospy.rostime.wallsleep(0.05)
-    rospy.wait_for_service(nodelet + '/plan_path', 10)
     request = PlanPathRequest(start_from_robot=True, goal_name=arguments[0],
                               goal_at_anchor=rospy.get_param('~anchor', True), tolerance=0.5)
-    answer = rospy.ServiceProxy(nodelet + '/plan_path', PlanPath)(request)
+    answer = ask(nodelet + '/plan_path', request)
     if answer.status.code:
         print('no way to %s: %s' % (arguments[0], answer.status.message), file=sys.stderr)
         return 1
