@@ -16,6 +16,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import time
 
 LONGEST = 120  # [s] that a block may take
 DONE = '-- the block ends here --'
@@ -73,12 +74,15 @@ class Reader:
             signal.alarm(0)
 
     def leave(self):
-        for kind in (signal.SIGINT, signal.SIGKILL):
+        """Ends all that was started: roslaunch stops its nodes, which are in groups of their own."""
+        for attempt in range(LONGEST):
             try:
-                os.killpg(self.shell.pid, kind)
-                self.shell.wait(timeout=20)
-            except (ProcessLookupError, subprocess.TimeoutExpired):
-                pass
+                os.killpg(self.shell.pid, 0 if attempt else signal.SIGINT)
+            except ProcessLookupError:
+                return
+            self.shell.poll()
+            time.sleep(0.5)
+        os.killpg(self.shell.pid, signal.SIGKILL)
 
 
 def has_move_base():
